@@ -1,0 +1,18 @@
+// SPDX-License-Identifier: BSD-3-Clause
+// Copyright (c) 2026 The Anneal6D authors
+#pragma once
+
+#include <filesystem>
+#include <span>
+#include <string_view>
+
+namespace anneal6d {
+
+/// Writes `content` to a temporary file beside `path` and renames it: readers see the old file or
+/// the whole new one. Throws FileError.
+void write_file_atomically(const std::filesystem::path& path, std::string_view content);
+
+/// The whole file. Throws FileError: missing, unreadable, a folder, larger than `limit` bytes.
+std::string read_file(const std::filesystem::path& path, std::size_t limit = std::size_t{1} << 31);
+
+}  // namespace anneal6d

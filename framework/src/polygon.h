@@ -1,0 +1,20 @@
+// SPDX-License-Identifier: BSD-3-Clause
+// Copyright (c) 2026 The Anneal6D authors
+#pragma once
+
+#include <Eigen/Core>
+#include <array>
+#include <cstdint>
+#include <optional>
+#include <span>
+#include <vector>
+
+namespace anneal6d {
+
+/// Cuts a flat, possibly concave polygon into triangles of its corners' positions 0, 1, ... by
+/// clipping ears. Corners that bend nowhere may be left out. Empty if there is no way: fewer than
+/// three corners, no area, or an outline that crosses itself.
+std::optional<std::vector<std::array<std::uint32_t, 3>>> triangulate(
+    std::span<const Eigen::Vector3d> polygon);
+
+}  // namespace anneal6d

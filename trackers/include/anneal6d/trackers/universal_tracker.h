@@ -1,0 +1,59 @@
+// SPDX-License-Identifier: BSD-3-Clause
+// Copyright (c) 2026 The Anneal6D authors
+#pragma once
+
+#include <cstdint>
+#include <memory>
+#include <string>
+
+#include "anneal6d/framework/annealing.h"
+#include "anneal6d/framework/edge_detector.h"
+#include "anneal6d/framework/rating.h"
+#include "anneal6d/framework/resampling.h"
+#include "anneal6d/framework/rigid_object_tracker.h"
+#include "anneal6d/framework/shading.h"
+
+namespace anneal6d {
+
+enum class UniversalMode {
+  /// Algorithms 1-5 as the thesis has them: multinomial draw, drift by the last motion, noise
+  /// narrowed by the score, estimate the weighted mean.
+  thesis,
+  /// The same filter with a motion model that learns, systematic resampling, noise narrowed by the
+  /// particles' own spread, and a local refinement of the estimate.
+  standard,
+};
+
+/// Everything about the universal tracker that can be chosen. Names in quotes are those of
+/// `Settings` and of the tool's options.
+struct UniversalTrackerOptions {
+  UniversalMode mode = UniversalMode::standard;  ///< "mode": thesis | default
+  std::string scorer = "cpu";                    ///< "scorer": a name of the scorer table
+  int particles = 200;                           ///< "particles": a layer, 1..100000
+  int layers = 4;                                ///< "layers": a frame, 1..100
+  double sigma_mm = 5.0;   ///< "sigma-mm": expected motion a frame and axis, 0..1000
+  double sigma_deg = 2.0;  ///< "sigma-deg": expected turn a frame and axis, 0..90
+  /// Of the camera's image: "edges", "edge-threshold" (number | auto), "canny-low" (number | auto),
+  /// "edge-dilation" (px), "edge-blur" (sigma, px).
+  EdgeOptions frame_edges{.dilation_px = 1};
+  /// Of the rendered object: the same operator and blur; "model-edge-threshold".
+  EdgeOptions model_edges{.threshold = 40};
+  RatingOptions
+      rating;  ///< "rating": ratio | normalized | balanced; "rating-c", "-c1", "-c2", "-c3"
+  bool textured = true;    ///< "textured": on | off; off ignores the model's texture
+  std::uint64_t seed = 1;  ///< "seed"
+  int threads = 0;         ///< "threads": 0 means all
+
+  /// The thesis's or the default configuration with what the settings change. Throws ConfigError
+  /// naming the setting; settings of other names are left alone.
+  static UniversalTrackerOptions from(const Settings& settings);
+
+  /// Throws ConfigError naming the field.
+  void validate() const;
+};
+
+/// Follows a rigid object of any shape: particles propose poses, rendered edges decide (thesis ch.
+/// 4).
+std::unique_ptr<RigidObjectTracker> make_universal_tracker(const TrackerSetup& setup);
+
+}  // namespace anneal6d

@@ -1,0 +1,212 @@
+// SPDX-License-Identifier: BSD-3-Clause
+// Copyright (c) 2026 The Anneal6D authors
+#include "contour.h"
+
+#include <Eigen/Geometry>
+#include <algorithm>
+#include <cmath>
+#include <map>
+#include <numbers>
+#include <opencv2/imgproc.hpp>
+
+#include "anneal6d/framework/shading.h"
+
+namespace anneal6d {
+namespace {
+
+constexpr double kDegree = std::numbers::pi / 180.0;
+const double kCreaseCosine = std::cos(35.0 * kDegree);  // faces meeting sharper look like an edge
+const double kSmoothCosine = std::cos(30.0 * kDegree);
+constexpr double kCreaseLength = 0.03;     // of the diameter; shorter creases are a scan's noise
+constexpr double kVisibleDepth = 0.01;     // of the diameter: tolerance of the hidden-point test
+constexpr double kSilhouetteDepth = 0.02;  // of the diameter: a silhouette has at least this behind
+constexpr double kSilhouetteProbe_px = 1.5;
+constexpr int kTextureGradient = 60;  // Sobel response of a texture edge worth following
+
+float depth_at(const ContourExtractor::View& view, int x, int y) {
+  x -= view.region.x;
+  y -= view.region.y;
+  if (x < 0 || y < 0 || x >= view.region.width || y >= view.region.height) return 0.0F;
+  return view.depth_mm.at<float>(y, x);
+}
+
+bool inside_image(const Eigen::Vector2d& p, const CameraModel& camera) {
+  return p.x() >= 1 && p.y() >= 1 && p.x() <= camera.width_px - 2 && p.y() <= camera.height_px - 2;
+}
+
+}  // namespace
+
+ContourExtractor::ContourExtractor(const TriangleMesh& mesh) : diameter_mm_(mesh.diameter_mm()) {
+  struct Side {
+    std::uint32_t triangle;
+    bool forward;  // the triangle runs through the edge from the lower to the higher vertex
+  };
+  const auto welded = mesh.welded();
+  const auto position = [&](std::uint32_t i) -> Eigen::Vector3d {
+    return mesh.vertices()[i].position_mm.cast<double>();
+  };
+  std::map<std::pair<std::uint32_t, std::uint32_t>, std::vector<Side>> sides;
+  std::vector<Eigen::Vector3d> normals;
+  for (const Triangle& t : mesh.triangles()) {
+    const auto index = static_cast<std::uint32_t>(normals.size());
+    normals.push_back(
+        (position(t[1]) - position(t[0])).cross(position(t[2]) - position(t[0])).normalized());
+    for (int c = 0; c < 3; ++c) {
+      const std::uint32_t from = welded[t[c]], to = welded[t[(c + 1) % 3]];
+      sides[std::minmax(from, to)].push_back({index, from < to});
+    }
+  }
+  for (const auto& [ends, faces] : sides) {
+    MeshEdge edge;
+    edge.from_mm = position(ends.first);
+    edge.to_mm = position(ends.second);
+    edge.normal_a = edge.normal_b = normals[faces[0].triangle];
+    edge.border = faces.size() != 2;
+    if (!edge.border) {
+      edge.normal_b = normals[faces[1].triangle];
+      // Faces wound alike run through their edge in opposite directions.
+      if (faces[0].forward == faces[1].forward) edge.normal_b = -edge.normal_b;
+    }
+    const double cosine = edge.normal_a.dot(edge.normal_b);
+    const double length_mm = (edge.to_mm - edge.from_mm).norm();
+    edge.crease =
+        !edge.border && cosine < kCreaseCosine && length_mm > kCreaseLength * diameter_mm_;
+    edge.smooth = !edge.border && cosine > kSmoothCosine;
+    // Edges inside a flat face can never be seen.
+    if (edge.border || cosine < 1.0 - 1e-9) edges_.push_back(edge);
+  }
+}
+
+bool ContourExtractor::claim_cell(const Eigen::Vector2d& image_px, const Region& region,
+                                  double spacing_px) {
+  const int columns = static_cast<int>(region.width / spacing_px) + 1;
+  const int x = static_cast<int>((image_px.x() - region.x) / spacing_px);
+  const int y = static_cast<int>((image_px.y() - region.y) / spacing_px);
+  const auto cell =
+      static_cast<std::size_t>(y) * static_cast<std::size_t>(columns) + static_cast<std::size_t>(x);
+  if (x < 0 || y < 0 || x >= columns || cell >= cells_.size() || cells_[cell]) return false;
+  cells_[cell] = 1;
+  return true;
+}
+
+void ContourExtractor::extract(const View& view, double spacing_px, bool texture_edges,
+                               std::vector<ContourPoint>& points) {
+  points.clear();
+  const auto columns = static_cast<std::size_t>(view.region.width / spacing_px) + 1;
+  const auto rows = static_cast<std::size_t>(view.region.height / spacing_px) + 1;
+  cells_.assign(columns * rows, 0);
+  const Eigen::Matrix3d rotation = view.camera_from_object.rotation.toRotationMatrix();
+  const Eigen::Vector3d camera_in_object_mm = view.camera_from_object.inverse().translation_mm;
+  for (const MeshEdge& edge : edges_) {
+    add_mesh_edge(edge, view, rotation, camera_in_object_mm, spacing_px, points);
+  }
+  if (texture_edges) add_texture_edges(view, spacing_px, points);
+}
+
+void ContourExtractor::add_mesh_edge(const MeshEdge& edge, const View& view,
+                                     const Eigen::Matrix3d& rotation,
+                                     const Eigen::Vector3d& camera_in_object_mm, double spacing_px,
+                                     std::vector<ContourPoint>& points) {
+  const Eigen::Vector3d to_camera = camera_in_object_mm - edge.from_mm;
+  const double facing_a = edge.normal_a.dot(to_camera), facing_b = edge.normal_b.dot(to_camera);
+  const bool silhouette = edge.border || facing_a * facing_b <= 0;
+  if (!silhouette && !edge.crease) return;
+
+  const Eigen::Vector3d& t = view.camera_from_object.translation_mm;
+  const Eigen::Vector3d from = rotation * edge.from_mm + t, to = rotation * edge.to_mm + t;
+  if (from.z() < kNearPlane_mm || to.z() < kNearPlane_mm) return;
+  const Eigen::Vector2d from_px = view.camera.project(from), to_px = view.camera.project(to);
+  const Eigen::Vector2d along_px = to_px - from_px;
+  const double length_px = along_px.norm();
+
+  Eigen::Vector2d normal(-along_px.y(), along_px.x());
+  if (edge.smooth && silhouette) {
+    // The contour of a smooth surface: its tangent plane holds the camera's centre, and the edge of
+    // the mesh zigzags around it. A plane with normal n through the centre is the image line K^-T
+    // n.
+    const Eigen::Vector3d n =
+        rotation * (std::abs(facing_b) * edge.normal_a + std::abs(facing_a) * edge.normal_b);
+    normal = {n.x() / view.camera.fx_px, n.y() / view.camera.fy_px};
+  }
+  if (!(normal.norm() > 1e-12)) return;
+  normal.normalize();
+
+  const int steps = std::max(1, static_cast<int>(std::lround(length_px / spacing_px)));
+  if (steps > 4 * (view.camera.width_px + view.camera.height_px)) return;  // touches the camera
+  for (int i = 0; i < steps; ++i) {
+    // Even steps in the image are uneven in space: interpolate by inverse depth.
+    const double s = (i + 0.5) / steps;
+    const double weight_from = (1 - s) / from.z(), weight_to = s / to.z();
+    const double z_mm = 1.0 / (weight_from + weight_to);
+    const Eigen::Vector2d image_px = from_px + s * along_px;
+    if (!inside_image(image_px, view.camera)) continue;
+
+    const int x = static_cast<int>(std::lround(image_px.x()));
+    const int y = static_cast<int>(std::lround(image_px.y()));
+    bool visible = false;
+    for (int dy = -1; dy <= 1 && !visible; ++dy) {
+      for (int dx = -1; dx <= 1 && !visible; ++dx) {
+        visible = depth_at(view, x + dx, y + dy) >= z_mm - kVisibleDepth * diameter_mm_;
+      }
+    }
+    if (!visible) continue;
+    if (silhouette && !edge.crease && !edge.border) {
+      bool stands_out = false;
+      for (const double side : {-kSilhouetteProbe_px, kSilhouetteProbe_px}) {
+        const Eigen::Vector2d probe = image_px + side * normal;
+        const float behind = depth_at(view, static_cast<int>(std::lround(probe.x())),
+                                      static_cast<int>(std::lround(probe.y())));
+        stands_out |= behind == 0.0F || behind > z_mm + kSilhouetteDepth * diameter_mm_;
+      }
+      if (!stands_out) continue;
+    }
+    if (!claim_cell(image_px, view.region, spacing_px)) continue;
+    points.push_back({(weight_from * edge.from_mm + weight_to * edge.to_mm) * z_mm, normal});
+  }
+}
+
+void ContourExtractor::add_texture_edges(const View& view, double spacing_px,
+                                         std::vector<ContourPoint>& points) {
+  cv::Mat gx, gy;
+  cv::Sobel(view.grey, gx, CV_16S, 1, 0);
+  cv::Sobel(view.grey, gy, CV_16S, 0, 1);
+  const Pose object_from_camera = view.camera_from_object.inverse();
+  const auto magnitude = [&](int x, int y) {
+    return std::hypot(static_cast<double>(gx.at<short>(y, x)),
+                      static_cast<double>(gy.at<short>(y, x)));
+  };
+  for (int y = 2; y < view.region.height - 2; ++y) {
+    for (int x = 2; x < view.region.width - 2; ++x) {
+      const double here = magnitude(x, y);
+      if (here < kTextureGradient) continue;
+      // Next to a depth edge the picture shows the silhouette, which the mesh gives better.
+      float nearest = 1e9F, farthest = 0;
+      for (int dy = -2; dy <= 2; ++dy) {
+        for (int dx = -2; dx <= 2; ++dx) {
+          const float depth = view.depth_mm.at<float>(y + dy, x + dx);
+          nearest = std::min(nearest, depth);
+          farthest = std::max(farthest, depth);
+        }
+      }
+      if (nearest == 0.0F || farthest - nearest > kSilhouetteDepth * diameter_mm_) continue;
+
+      const Eigen::Vector2d normal = Eigen::Vector2d(gx.at<short>(y, x), gy.at<short>(y, x)) / here;
+      // Ridge of the gradient along the stronger axis, then its place between pixels.
+      const int sx = std::abs(normal.x()) >= std::abs(normal.y()) ? 1 : 0, sy = 1 - sx;
+      const double before = magnitude(x - sx, y - sy), after = magnitude(x + sx, y + sy);
+      if (here < before || here <= after) continue;
+      const double offset = 0.5 * (before - after) / (before - 2 * here + after);
+      const Eigen::Vector2d image_px(view.region.x + x + sx * offset,
+                                     view.region.y + y + sy * offset);
+      if (!inside_image(image_px, view.camera)) continue;
+      if (!claim_cell(image_px, view.region, spacing_px)) continue;
+      const double z_mm = view.depth_mm.at<float>(y, x);
+      const Eigen::Vector3d camera_mm((image_px.x() - view.camera.cx_px) / view.camera.fx_px * z_mm,
+                                      (image_px.y() - view.camera.cy_px) / view.camera.fy_px * z_mm,
+                                      z_mm);
+      points.push_back({object_from_camera * camera_mm, normal});
+    }
+  }
+}
+
+}  // namespace anneal6d

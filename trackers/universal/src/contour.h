@@ -1,0 +1,64 @@
+// SPDX-License-Identifier: BSD-3-Clause
+// Copyright (c) 2026 The Anneal6D authors
+#pragma once
+
+#include <Eigen/Core>
+#include <cstdint>
+#include <opencv2/core/mat.hpp>
+#include <vector>
+
+#include "anneal6d/framework/camera_model.h"
+#include "anneal6d/framework/pose.h"
+#include "anneal6d/framework/triangle_mesh.h"
+#include "rasterizer.h"
+
+namespace anneal6d {
+
+/// A point of the object that looks like an edge from where the camera is.
+struct ContourPoint {
+  Eigen::Vector3d object_mm;  ///< object frame
+  Eigen::Vector2d normal;     ///< unit, across the edge, image
+};
+
+/// Finds the edges of a mesh that a camera sees under any light: silhouettes and creases, straight
+/// from the geometry, so that their place in the image is exact, and, for textured objects, the
+/// edges of the rendered picture. The mesh outlives it.
+class ContourExtractor {
+ public:
+  explicit ContourExtractor(const TriangleMesh& mesh);
+
+  struct View {
+    Pose camera_from_object;
+    const CameraModel& camera;
+    Region region;        ///< of the two pictures
+    const cv::Mat& grey;  ///< as of Rasterizer::take_images
+    const cv::Mat& depth_mm;
+  };
+
+  /// Replaces `points` by visible ones, about one in `spacing_px` pixels along each edge.
+  /// `texture_edges`: also where the rendered brightness jumps.
+  void extract(const View& view, double spacing_px, bool texture_edges,
+               std::vector<ContourPoint>& points);
+
+ private:
+  struct MeshEdge {
+    Eigen::Vector3d from_mm, to_mm;
+    Eigen::Vector3d normal_a,
+        normal_b;  ///< of the faces, unit, on the same side; equal on a border
+    bool border;   ///< of an open surface, or where more than two faces meet
+    bool crease;   ///< a sharp and long edge, seen even where no silhouette is
+    bool smooth;   ///< the faces approximate one smooth surface
+  };
+
+  void add_mesh_edge(const MeshEdge& edge, const View& view, const Eigen::Matrix3d& rotation,
+                     const Eigen::Vector3d& camera_in_object_mm, double spacing_px,
+                     std::vector<ContourPoint>& points);
+  void add_texture_edges(const View& view, double spacing_px, std::vector<ContourPoint>& points);
+  bool claim_cell(const Eigen::Vector2d& image_px, const Region& region, double spacing_px);
+
+  std::vector<MeshEdge> edges_;
+  double diameter_mm_;
+  std::vector<std::uint8_t> cells_;  ///< where points were placed already
+};
+
+}  // namespace anneal6d

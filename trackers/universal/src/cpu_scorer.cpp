@@ -1,0 +1,98 @@
+// SPDX-License-Identifier: BSD-3-Clause
+// Copyright (c) 2026 The Anneal6D authors
+#include "cpu_scorer.h"
+
+#include <tbb/blocked_range.h>
+#include <tbb/enumerable_thread_specific.h>
+#include <tbb/parallel_for.h>
+#include <tbb/task_arena.h>
+
+#include <cassert>
+#include <cmath>
+#include <opencv2/imgproc.hpp>
+#include <string>
+
+#include "anneal6d/framework/error.h"
+#include "rasterizer.h"
+
+namespace anneal6d {
+namespace {
+
+/// What one thread works with.
+struct Workspace {
+  Rasterizer rasterizer;
+  cv::Mat grey, depth_mm;
+};
+
+class CpuScorer final : public PoseScorer {
+ public:
+  explicit CpuScorer(const ScorerSetup& setup)
+      : model_((setup.validate(), setup.mesh), setup.textured),
+        camera_(setup.camera),
+        edges_(setup.edges),
+        workspaces_([this, shading = setup.shading] {
+          return Workspace{Rasterizer(model_, camera_, shading), {}, {}};
+        }),
+        arena_(setup.threads > 0 ? setup.threads : tbb::task_arena::automatic) {}
+
+  void set_edges(const EdgeImage& edges) override {
+    const cv::Mat& binary = edges.binary;
+    if (binary.type() != CV_8UC1 || binary.cols != camera_.width_px ||
+        binary.rows != camera_.height_px) {
+      throw ConfigError("scorer: the edge image is not 8-bit grey of " +
+                        std::to_string(camera_.width_px) + "x" + std::to_string(camera_.height_px));
+    }
+    frame_binary_ = binary;
+    frame_packed_.assign(binary);
+  }
+
+  void score(std::span<const Pose> camera_from_object, std::span<EdgeMatch> matches) override {
+    assert(camera_from_object.size() == matches.size());
+    if (frame_binary_.empty()) throw ConfigError("scorer: set_edges() comes before score()");
+    arena_.execute([&] {
+      tbb::parallel_for(tbb::blocked_range<std::size_t>(0, matches.size(), 4),
+                        [&](const auto& range) {
+                          Workspace& workspace = workspaces_.local();
+                          for (std::size_t i = range.begin(); i < range.end(); ++i) {
+                            matches[i] = score_one(workspace, camera_from_object[i]);
+                          }
+                        });
+    });
+  }
+
+ private:
+  EdgeMatch score_one(Workspace& workspace, const Pose& camera_from_object) const {
+    const bool fused = edges_.op != EdgeOperator::canny && edges_.blur_sigma_px <= 0;
+    // Canny's smoothing-free gradients and non-maximum suppression reach two pixels, a Gaussian
+    // three of its sigmas.
+    const int reach_px = 2 + static_cast<int>(std::ceil(4 * edges_.blur_sigma_px));
+    const Region region =
+        workspace.rasterizer.draw(camera_from_object, reach_px + edges_.dilation_px);
+    if (region.empty()) return {};
+    if (fused) return workspace.rasterizer.count_edges(frame_packed_, edges_);
+
+    workspace.rasterizer.take_images(workspace.grey, workspace.depth_mm);
+    cv::Mat edges = detect_edges(workspace.grey, edges_).binary;
+    EdgeMatch match;
+    match.rendered = cv::countNonZero(edges);
+    cv::bitwise_and(edges, frame_binary_({region.x, region.y, region.width, region.height}), edges);
+    match.matched = cv::countNonZero(edges);
+    return match;
+  }
+
+  RasterModel model_;
+  CameraModel camera_;
+  EdgeOptions edges_;
+  cv::Mat frame_binary_;
+  PackedEdges frame_packed_;
+  tbb::enumerable_thread_specific<Workspace> workspaces_;
+  tbb::task_arena arena_;
+};
+
+}  // namespace
+
+std::unique_ptr<PoseScorer> make_cpu_scorer(const ScorerSetup& setup) {
+  return std::make_unique<CpuScorer>(setup);
+}
+
+}  // namespace anneal6d

@@ -1,0 +1,36 @@
+// SPDX-License-Identifier: BSD-3-Clause
+// Copyright (c) 2026 The Anneal6D authors
+#pragma once
+
+#include <cstdint>
+#include <opencv2/core/mat.hpp>
+#include <vector>
+
+namespace anneal6d {
+
+/// An edge image as one bit a pixel, lowest bit first. Rows are padded so that a 64-bit word can be
+/// read from the byte of any pixel.
+class PackedEdges {
+ public:
+  PackedEdges() = default;
+
+  /// `binary`: CV_8UC1, 0 or not. Keeps its memory from frame to frame.
+  void assign(const cv::Mat& binary);
+
+  const std::uint8_t* row(int y) const {
+    return bytes_.data() + static_cast<std::size_t>(y) * stride_;
+  }
+  cv::Size size() const { return size_; }
+
+ private:
+  cv::Size size_;
+  std::size_t stride_ = 0;
+  std::vector<std::uint8_t> bytes_;
+};
+
+/// Widens the set bits of a packed image of `height` rows of `words` words each by `radius_px` in
+/// every direction (a square), within `width_px`. `scratch` keeps its memory between calls.
+void dilate_bits(std::vector<std::uint64_t>& bits, std::vector<std::uint64_t>& scratch,
+                 int width_px, int height, int words, int radius_px);
+
+}  // namespace anneal6d

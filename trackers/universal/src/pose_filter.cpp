@@ -1,0 +1,60 @@
+// SPDX-License-Identifier: BSD-3-Clause
+// Copyright (c) 2026 The Anneal6D authors
+#include "pose_filter.h"
+
+namespace anneal6d {
+
+PoseFilter::PoseFilter(PoseScorer& scorer, const RatingOptions& rating,
+                       const Eigen::Vector3d& center_mm)
+    : scorer_(scorer), rating_(rating), center_mm_(center_mm) {}
+
+Pose PoseFilter::to_center(const Pose& camera_from_object) const {
+  return {camera_from_object.rotation, camera_from_object * center_mm_};
+}
+
+Pose PoseFilter::to_object(const Pose& camera_from_center) const {
+  return {camera_from_center.rotation, camera_from_center * -center_mm_};
+}
+
+void PoseFilter::predict(std::span<Pose> states, const RandomKey& key) {
+  for (std::size_t i = 0; i < states.size(); ++i) {
+    RandomKey own = key;
+    own.particle = static_cast<std::uint32_t>(i);
+    Twist noise;
+    for (std::uint32_t pair = 0; pair < 3; ++pair) {
+      const auto normals = random_normals(own, pair);
+      noise[2 * pair] = normals[0];
+      noise[2 * pair + 1] = normals[1];
+    }
+    const Twist twist = layer_.drift + layer_.diffusion * noise;
+    states[i] = moved(states[i], twist);
+  }
+  if (layer_.incumbent) states[0] = *layer_.incumbent;
+}
+
+void PoseFilter::measure(std::span<const Pose> states, std::span<double> log_likelihoods) {
+  camera_from_object_.resize(states.size());
+  matches_.resize(states.size());
+  for (std::size_t i = 0; i < states.size(); ++i) camera_from_object_[i] = to_object(states[i]);
+  scorer_.score(camera_from_object_, matches_);
+  rate(rating_, matches_, log_likelihoods);
+  if (layer_.survival_rate > 0) {
+    const double beta = annealing_exponent(log_likelihoods, layer_.survival_rate);
+    for (double& value : log_likelihoods) value *= beta;
+  }
+}
+
+Pose PoseFilter::mean(std::span<const Pose> states, std::span<const double> weights) const {
+  return weighted_mean(states, weights);
+}
+
+Eigen::Matrix<double, 6, 6> PoseFilter::covariance(const Pose& camera_from_center) const {
+  Eigen::Matrix<double, 6, 6> covariance = Eigen::Matrix<double, 6, 6>::Zero();
+  for (std::size_t i = 0; i < states().size(); ++i) {
+    const Twist deviation = twist_between(camera_from_center, states()[i]);
+    covariance += weights()[i] * deviation * deviation.transpose();
+  }
+  return covariance;
+}
+
+}  // namespace anneal6d

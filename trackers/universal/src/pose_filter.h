@@ -1,0 +1,60 @@
+// SPDX-License-Identifier: BSD-3-Clause
+// Copyright (c) 2026 The Anneal6D authors
+#pragma once
+
+#include <Eigen/Core>
+#include <optional>
+#include <vector>
+
+#include "anneal6d/framework/particle_filter.h"
+#include "anneal6d/framework/pose_scorer.h"
+#include "anneal6d/framework/rating.h"
+#include "twist.h"
+
+namespace anneal6d {
+
+/// The particle filter over poses of the thesis (ParticleFilter6D): states are camera_from_center,
+/// the frame at the centre of the object's box, so that turning a particle does not shift it.
+class PoseFilter final : public ParticleFilter<Pose> {
+ public:
+  /// What one layer does beside drawing particles.
+  struct Layer {
+    Twist drift = Twist::Zero();  ///< added to every particle (thesis Alg. 3)
+    /// Factor L of the covariance L L^T of the diffusion, a twist's entries.
+    Eigen::Matrix<double, 6, 6> diffusion = Eigen::Matrix<double, 6, 6>::Zero();
+    /// Takes the place of the first particle, as it is: the best that is known so far.
+    std::optional<Pose> incumbent;
+    /// Share of particles to stay effective, by raising the weights to a power (Deutscher et al.
+    /// 2000); 0: weights as rated.
+    double survival_rate = 0;
+  };
+
+  /// `scorer` outlives the filter. `center_mm`: the centre of the object, object frame.
+  PoseFilter(PoseScorer& scorer, const RatingOptions& rating, const Eigen::Vector3d& center_mm);
+
+  void set_layer(const Layer& layer) { layer_ = layer; }
+
+  /// The counts of the particle with the greatest weight.
+  const EdgeMatch& best_match() const { return matches_[best_index()]; }
+
+  /// Weighted covariance of the particles about `center`, as twists.
+  Eigen::Matrix<double, 6, 6> covariance(const Pose& camera_from_center) const;
+
+  Pose to_center(const Pose& camera_from_object) const;
+  Pose to_object(const Pose& camera_from_center) const;
+
+ protected:
+  void predict(std::span<Pose> states, const RandomKey& key) override;
+  void measure(std::span<const Pose> states, std::span<double> log_likelihoods) override;
+  Pose mean(std::span<const Pose> states, std::span<const double> weights) const override;
+
+ private:
+  PoseScorer& scorer_;
+  RatingOptions rating_;
+  Eigen::Vector3d center_mm_;
+  Layer layer_;
+  std::vector<Pose> camera_from_object_;
+  std::vector<EdgeMatch> matches_;
+};
+
+}  // namespace anneal6d

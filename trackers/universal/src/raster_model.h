@@ -1,0 +1,47 @@
+// SPDX-License-Identifier: BSD-3-Clause
+// Copyright (c) 2026 The Anneal6D authors
+#pragma once
+
+#include <cstdint>
+#include <memory>
+#include <vector>
+
+#include "anneal6d/framework/shading.h"
+#include "anneal6d/framework/triangle_mesh.h"
+
+namespace anneal6d {
+
+/// A grey texture level whose entries hold a texel and its right, lower and lower right neighbours
+/// (with repeat) in four bytes, so that bilinear sampling is one load.
+struct QuadTexture {
+  int width = 0;
+  int height = 0;
+  std::vector<std::uint32_t> quads;
+};
+
+/// The mesh as the rasterizer wants it: separate arrays of coordinates, padded so that whole
+/// vectors can be loaded; millimetres, object frame.
+struct RasterModel {
+  RasterModel(std::shared_ptr<const TriangleMesh> mesh, bool textured);
+
+  static constexpr std::size_t kPadding = 64;  ///< entries behind the last vertex, copies of it
+
+  std::shared_ptr<const TriangleMesh> mesh;
+  std::size_t vertex_count;
+  std::vector<float> x, y, z, nx, ny, nz;
+  std::vector<float> luma;  ///< 0..255, brightness at full light
+  std::vector<float> u, v;  ///< empty without texture
+  std::vector<Triangle> triangles;
+  std::vector<QuadTexture> textures;  ///< one a level; empty without texture
+  /// The surface is closed and wound one way: faces turned away are hidden and can be skipped.
+  bool closed;
+  /// Winding of `closed` surfaces: +1 if (b - a) x (c - a) points outward, else -1.
+  int winding;
+};
+
+/// Brightness of a colour as OpenCV's conversion from BGR has it.
+inline float luma_of(const Eigen::Vector3f& bgr) {
+  return 0.114F * bgr[0] + 0.587F * bgr[1] + 0.299F * bgr[2];
+}
+
+}  // namespace anneal6d

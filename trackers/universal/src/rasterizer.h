@@ -1,0 +1,64 @@
+// SPDX-License-Identifier: BSD-3-Clause
+// Copyright (c) 2026 The Anneal6D authors
+#pragma once
+
+#include <cstdint>
+#include <vector>
+
+#include "anneal6d/framework/camera_model.h"
+#include "anneal6d/framework/pose.h"
+#include "anneal6d/framework/pose_scorer.h"
+#include "packed_edges.h"
+#include "raster_model.h"
+
+namespace anneal6d {
+
+/// Part of the image, pixels: [x, x + width) x [y, y + height).
+struct Region {
+  int x = 0;
+  int y = 0;
+  int width = 0;
+  int height = 0;
+
+  bool empty() const { return width <= 0 || height <= 0; }
+};
+
+/// Draws one pose at a time into the part of the image that the object covers. A pixel holds its
+/// depth and its brightness in one word, nearer being larger, so that the depth test is a maximum.
+/// One rasterizer serves one thread at a time; the model outlives it.
+class Rasterizer {
+ public:
+  Rasterizer(const RasterModel& model, const CameraModel& camera, const Shading& shading);
+
+  /// Draws the object. A drawing must be consumed by one of the functions below before the next.
+  /// The region holds every pixel of the object and a margin of `margin_px` around it, as far as
+  /// they are in the image; its x is a multiple of 8. Empty, with nothing to consume, if no part of
+  /// the object can be visible or the pose is not finite.
+  Region draw(const Pose& camera_from_object, int margin_px);
+
+  /// Consumes the drawing: Sobel's or Prewitt's operator, threshold, dilation (thesis Alg. 4), AND
+  /// with the frame's edges and both counts, row by row without an image in between. The margin was
+  /// at least 1 + options.dilation_px.
+  EdgeMatch count_edges(const PackedEdges& frame_edges, const EdgeOptions& options);
+
+  /// Consumes the drawing into images of the region's size: brightness, CV_8UC1, and depth,
+  /// CV_32FC1, millimetres; both 0 where there is no object. (Re)allocated as needed.
+  void take_images(cv::Mat& grey, cv::Mat& depth_mm);
+
+ private:
+  const RasterModel& model_;
+  CameraModel camera_;
+  Shading shading_;
+
+  Region region_;
+  int stride_ = 0;                     // words a row of the drawing
+  std::vector<std::uint32_t> pixels_;  // all zero but between draw and consumption
+  float inv_far_ = 0, depth_scale_ = 1;
+
+  // Vertices on the image, see raster_kernels.h.
+  std::vector<float> image_x_, image_y_, depth_, grey_, u_over_z_, v_over_z_, camera_z_;
+  std::vector<std::uint16_t> rows_;  // three rows of brightness with margins
+  std::vector<std::uint64_t> bits_, widened_;
+};
+
+}  // namespace anneal6d

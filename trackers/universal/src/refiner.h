@@ -1,0 +1,60 @@
+// SPDX-License-Identifier: BSD-3-Clause
+// Copyright (c) 2026 The Anneal6D authors
+#pragma once
+
+#include <opencv2/core/mat.hpp>
+#include <vector>
+
+#include "contour.h"
+#include "rasterizer.h"
+
+namespace anneal6d {
+
+/// Sharpens a pose that is nearly right: Gauss-Newton on the distances, along the normals, from the
+/// object's visible edges to the nearest edges of the image (Drummond and Cipolla, PAMI 2002),
+/// located between pixels and weighted against outliers.
+class Refiner {
+ public:
+  /// `model` outlives the refiner.
+  Refiner(const RasterModel& model, const CameraModel& camera);
+
+  /// The frame, CV_8UC1 or CV_8UC3, distortion removed; only the surroundings of `expected` are
+  /// prepared.
+  void set_image(const cv::Mat& image, const Pose& expected_camera_from_object);
+
+  struct Result {
+    Pose camera_from_object;
+    double support = 0;  ///< share of the visible contour points with an image edge within 2 px
+    int points = 0;      ///< visible contour points
+  };
+
+  /// Starts with a search range of `reach_px` and narrows it.
+  Result refine(const Pose& start_camera_from_object, double reach_px);
+
+ private:
+  struct Observation {
+    double offset_px;  ///< of the image's edge along the normal; NaN if there is none
+    double strength;   ///< grey levels a pixel
+  };
+  struct Sight {
+    Eigen::Vector3d camera_mm;
+    Eigen::Vector2d image_px, normal;
+  };
+
+  void see(const Pose& camera_from_object);
+  Observation observe(const Eigen::Vector2d& image_px, const Eigen::Vector2d& normal,
+                      int reach_px) const;
+  /// One Gauss-Newton step; returns the share of supported points before it.
+  double step(Pose& camera_from_object, double reach_px);
+
+  const RasterModel& model_;
+  CameraModel camera_;
+  Rasterizer rasterizer_;
+  ContourExtractor contour_;
+  cv::Mat smooth_;  ///< the frame, blurred in `window_`
+  cv::Rect window_;
+  cv::Mat grey_, depth_mm_;
+  std::vector<ContourPoint> points_;
+};
+
+}  // namespace anneal6d

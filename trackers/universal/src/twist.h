@@ -1,0 +1,28 @@
+// SPDX-License-Identifier: BSD-3-Clause
+// Copyright (c) 2026 The Anneal6D authors
+#pragma once
+
+#include <Eigen/Core>
+
+#include "anneal6d/framework/pose.h"
+
+namespace anneal6d {
+
+/// A small motion in the camera frame: rotation vector (rad) about the moving frame's origin in
+/// entries 0..2, translation of that origin (mm) in entries 3..5.
+using Twist = Eigen::Matrix<double, 6, 1>;
+
+inline Pose moved(const Pose& pose, const Twist& twist) {
+  return {(rotation_from_vector(twist.head<3>()) * pose.rotation).normalized(),
+          pose.translation_mm + twist.tail<3>()};
+}
+
+/// The twist that moves `from` to `to`.
+inline Twist twist_between(const Pose& from, const Pose& to) {
+  Twist twist;
+  twist << rotation_vector_from(to.rotation * from.rotation.conjugate()),
+      to.translation_mm - from.translation_mm;
+  return twist;
+}
+
+}  // namespace anneal6d
