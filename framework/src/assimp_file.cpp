@@ -28,8 +28,7 @@ namespace {
 
 namespace fs = std::filesystem;
 
-constexpr std::array<std::string_view, 5> kExtensions = {".obj", ".ply", ".stl", ".gltf", ".glb"};
-constexpr float kSmallestNormal = 1e-6F;  // shorter ones have no direction
+constexpr std::array<std::string_view, 3> kExtensions = {".obj", ".gltf", ".glb"};
 
 /// glTF gives colours as amounts of light; pictures and the other formats as screen values.
 float screen_value(float light) {
@@ -147,7 +146,7 @@ void SceneReader::add_mesh(const aiMesh& source, const Eigen::Affine3f& object_f
 void SceneReader::add_vertices(const aiMesh& source, const Eigen::Affine3f& object_from_mesh,
                                const Paint& paint) {
   const Eigen::Matrix3f linear = object_from_mesh.linear();
-  const bool has_normals = source.HasNormals() && extension_ != ".stl" && linear.determinant() != 0;
+  const bool has_normals = source.HasNormals() && linear.determinant() != 0;
   const Eigen::Matrix3f normal_matrix =
       has_normals ? Eigen::Matrix3f(linear.inverse().transpose()) : Eigen::Matrix3f::Zero();
   for (unsigned i = 0; i < source.mNumVertices; ++i) {
@@ -156,10 +155,7 @@ void SceneReader::add_vertices(const aiMesh& source, const Eigen::Affine3f& obje
     vertex.position_mm = object_from_mesh * Eigen::Vector3f(p.x, p.y, p.z);
     if (has_normals) {
       const aiVector3D& n = source.mNormals[i];
-      const Eigen::Vector3f normal = normal_matrix * Eigen::Vector3f(n.x, n.y, n.z);
-      const float length = normal.norm();
-      // Degenerate faces get senseless normals from some programs: those are computed anew.
-      if (std::isfinite(length) && length > kSmallestNormal) vertex.normal = normal / length;
+      vertex.normal = usable_normal(normal_matrix * Eigen::Vector3f(n.x, n.y, n.z));
     }
     if (source.HasTextureCoords(paint.uv_channel)) {
       const aiVector3D& uv = source.mTextureCoords[paint.uv_channel][i];
@@ -200,13 +196,16 @@ cv::Mat SceneReader::read_texture() const {
   return load_texture(path_.parent_path() / name);
 }
 
-/// Leaves assimp the one reader for the file's format: it would try others on content that the
-/// right one refuses, and those are not wanted here.
+/// Leaves assimp the reader for the file's format alone: it would try others on content that the
+/// right one refuses. Its reader of glTF 1, a format long gone, goes, too.
 void keep_reader_for(std::string_view extension, Assimp::Importer& importer) {
-  const Assimp::BaseImporter* const wanted = importer.GetImporter(std::string(extension).c_str());
+  const std::string wanted = " " + std::string(extension.substr(1)) + " ";
   std::size_t i = 0;
   while (Assimp::BaseImporter* const reader = importer.GetImporter(i)) {
-    if (reader == wanted) {
+    const aiImporterDesc& about = *importer.GetImporterInfo(i);
+    const std::string extensions = " " + std::string(about.mFileExtensions) + " ";
+    if (extensions.find(wanted) != std::string::npos &&
+        std::string_view(about.mName) != "glTF Importer") {
       ++i;
     } else {
       importer.UnregisterLoader(reader);

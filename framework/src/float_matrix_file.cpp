@@ -11,6 +11,7 @@
 
 #include "anneal6d/framework/atomic_file.h"
 #include "anneal6d/framework/error.h"
+#include "little_endian.h"
 #include "text_tokens.h"
 
 namespace anneal6d {
@@ -41,12 +42,6 @@ std::uint64_t parse_size(const std::filesystem::path& path, const std::string& c
     fail(path, at + kDigits, "a space should follow the number of " + what);
   }
   return size;
-}
-
-float decode(const char* bytes) {  // little-endian on every machine
-  std::uint32_t bits = 0;
-  for (int i = 3; i >= 0; --i) bits = bits << 8 | static_cast<unsigned char>(bytes[i]);
-  return std::bit_cast<float>(bits);
 }
 
 void append(std::string& content, float value) {
@@ -88,7 +83,7 @@ FloatMatrix load_float_matrix(const std::filesystem::path& path) {
   FloatMatrix matrix(static_cast<Eigen::Index>(rows), static_cast<Eigen::Index>(columns));
   for (Eigen::Index i = 0; i < matrix.size(); ++i) {
     const std::size_t at = kHeaderSize + 4 * static_cast<std::size_t>(i);
-    matrix.data()[i] = decode(content.data() + at);
+    matrix.data()[i] = decode_little_endian<float>(content.data() + at);
     if (!std::isfinite(matrix.data()[i])) {
       fail(path, at,
            "the number in row " + std::to_string(i / matrix.cols()) + ", column " +

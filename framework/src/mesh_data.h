@@ -2,6 +2,7 @@
 // Copyright (c) 2026 The Anneal6D authors
 #pragma once
 
+#include <cmath>
 #include <cstddef>
 #include <opencv2/core/mat.hpp>
 #include <vector>
@@ -16,6 +17,15 @@ struct MeshData {
   std::vector<Triangle> triangles;   ///< indices within `vertices`
   cv::Mat texture_bgr;               ///< CV_8UC3 or empty
 };
+
+/// `normal` at unit length, or zero ("compute it") if it has no direction: programs write senseless
+/// ones for degenerate faces.
+inline Eigen::Vector3f usable_normal(const Eigen::Vector3f& normal) {
+  constexpr float kShortest = 1e-6F;
+  const float length = normal.norm();
+  if (!std::isfinite(length) || length < kShortest) return Eigen::Vector3f::Zero();
+  return normal / length;
+}
 
 /// More triangles than any model for tracking has; guards memory and time against absurd files.
 inline constexpr std::size_t kMaxTriangles = 4'000'000;

@@ -17,6 +17,8 @@
 #include "assimp_file.h"
 #include "cao_file.h"
 #include "dat_file.h"
+#include "ply_file.h"
+#include "stl_file.h"
 
 namespace anneal6d {
 namespace {
@@ -43,6 +45,8 @@ MeshData read_by_extension(const fs::path& path) {
                  [](unsigned char c) { return static_cast<char>(std::tolower(c)); });
   if (extension == ".dat") return load_dat(path);
   if (extension == ".cao") return load_cao(path);
+  if (extension == ".ply") return load_ply(path);
+  if (extension == ".stl") return load_stl(path);
   if (is_read_by_assimp(extension)) return load_with_assimp(path, extension);
   throw FileError(path, "",
                   "has an unknown ending; models are .obj, .ply, .stl, .gltf, .glb, .dat (IVT) or "

@@ -21,6 +21,8 @@ class TextTokens {
   std::string_view peek() const { return content_.substr(begin_, end_ - begin_); }
   /// Line of the next word, from 1; at the end the last line.
   int line() const { return line_; }
+  /// Line of the word taken last.
+  int taken_line() const { return taken_line_; }
 
   /// Takes the next word. `expected` ("the number of points") is for the message of the FileError
   /// that a file which ends here gets; the next two throw it for a word of another kind, too.

@@ -21,6 +21,9 @@ constexpr double kCreaseLength = 0.03;     // of the diameter; shorter creases a
 constexpr double kVisibleDepth = 0.01;     // of the diameter: tolerance of the hidden-point test
 constexpr double kSilhouetteDepth = 0.02;  // of the diameter: a silhouette has at least this behind
 constexpr double kSilhouetteProbe_px = 1.5;
+// Edges between these distances disturb each other; nearer ones are parts of one zigzag.
+constexpr double kCrowdedFrom_px = 1.3;
+constexpr double kCrowdedTo_px = 4.0;
 constexpr int kTextureGradient = 60;  // Sobel response of a texture edge worth following
 
 float depth_at(const ContourExtractor::View& view, int x, int y) {
@@ -95,12 +98,30 @@ void ContourExtractor::extract(const View& view, double spacing_px, bool texture
   const auto columns = static_cast<std::size_t>(view.region.width / spacing_px) + 1;
   const auto rows = static_cast<std::size_t>(view.region.height / spacing_px) + 1;
   cells_.assign(columns * rows, 0);
+  drawn_.create(view.region.height, view.region.width, CV_8UC1);
+  drawn_.setTo(0);
   const Eigen::Matrix3d rotation = view.camera_from_object.rotation.toRotationMatrix();
   const Eigen::Vector3d camera_in_object_mm = view.camera_from_object.inverse().translation_mm;
   for (const MeshEdge& edge : edges_) {
     add_mesh_edge(edge, view, rotation, camera_in_object_mm, spacing_px, points);
   }
+  for (ContourPoint& point : points) point.crowded = is_crowded(point, view);
   if (texture_edges) add_texture_edges(view, spacing_px, points);
+}
+
+bool ContourExtractor::is_crowded(const ContourPoint& point, const View& view) const {
+  const Eigen::Vector2d image_px =
+      view.camera.project(view.camera_from_object * point.object_mm) -
+      Eigen::Vector2d(view.region.x, view.region.y);
+  for (double distance = kCrowdedFrom_px; distance <= kCrowdedTo_px; distance += 0.45) {
+    for (const double side : {-distance, distance}) {
+      const Eigen::Vector2d p = image_px + side * point.normal;
+      const int x = static_cast<int>(std::lround(p.x())), y = static_cast<int>(std::lround(p.y()));
+      if (x < 0 || y < 0 || x >= drawn_.cols || y >= drawn_.rows) continue;
+      if (drawn_.at<std::uint8_t>(y, x)) return true;
+    }
+  }
+  return false;
 }
 
 void ContourExtractor::add_mesh_edge(const MeshEdge& edge, const View& view,
@@ -131,7 +152,7 @@ void ContourExtractor::add_mesh_edge(const MeshEdge& edge, const View& view,
   if (!(normal.norm() > 1e-12)) return;
   normal.normalize();
 
-  const int steps = std::max(1, static_cast<int>(std::lround(length_px / spacing_px)));
+  const int steps = std::max(1, static_cast<int>(std::lround(length_px)));
   if (steps > 4 * (view.camera.width_px + view.camera.height_px)) return;  // touches the camera
   for (int i = 0; i < steps; ++i) {
     // Even steps in the image are uneven in space: interpolate by inverse depth.
@@ -160,8 +181,12 @@ void ContourExtractor::add_mesh_edge(const MeshEdge& edge, const View& view,
       }
       if (!stands_out) continue;
     }
+    if (const int column = x - view.region.x, row = y - view.region.y;
+        column >= 0 && row >= 0 && column < drawn_.cols && row < drawn_.rows) {
+      drawn_.at<std::uint8_t>(row, column) = 1;
+    }
     if (!claim_cell(image_px, view.region, spacing_px)) continue;
-    points.push_back({(weight_from * edge.from_mm + weight_to * edge.to_mm) * z_mm, normal});
+    points.push_back({(weight_from * edge.from_mm + weight_to * edge.to_mm) * z_mm, normal, false});
   }
 }
 
@@ -204,7 +229,7 @@ void ContourExtractor::add_texture_edges(const View& view, double spacing_px,
       const Eigen::Vector3d camera_mm((image_px.x() - view.camera.cx_px) / view.camera.fx_px * z_mm,
                                       (image_px.y() - view.camera.cy_px) / view.camera.fy_px * z_mm,
                                       z_mm);
-      points.push_back({object_from_camera * camera_mm, normal});
+      points.push_back({object_from_camera * camera_mm, normal, false});
     }
   }
 }

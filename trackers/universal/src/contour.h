@@ -18,6 +18,9 @@ namespace anneal6d {
 struct ContourPoint {
   Eigen::Vector3d object_mm;  ///< object frame
   Eigen::Vector2d normal;     ///< unit, across the edge, image
+  /// Another edge runs beside this one so closely that the image blurs both together, as at the rim
+  /// of a cup: the place of either is uncertain.
+  bool crowded = false;
 };
 
 /// Finds the edges of a mesh that a camera sees under any light: silhouettes and creases, straight
@@ -55,10 +58,12 @@ class ContourExtractor {
                      std::vector<ContourPoint>& points);
   void add_texture_edges(const View& view, double spacing_px, std::vector<ContourPoint>& points);
   bool claim_cell(const Eigen::Vector2d& image_px, const Region& region, double spacing_px);
+  bool is_crowded(const ContourPoint& point, const View& view) const;
 
   std::vector<MeshEdge> edges_;
   double diameter_mm_;
   std::vector<std::uint8_t> cells_;  ///< where points were placed already
+  cv::Mat drawn_;                    ///< pixels of the region that visible edges of the mesh cross
 };
 
 }  // namespace anneal6d

@@ -19,10 +19,50 @@ constexpr double kBlurSigma_px = 1.0;
 constexpr int kMaxReach_px = 32;
 constexpr double kFaintest = 2.5;       // grey levels a pixel: weaker slopes are no edge
 constexpr double kHalfStrength = 10.0;  // slope at which an edge counts half of a strong one
+constexpr double kCrowdedTrust = 0.1;
 constexpr double kSupport_px = 2.0;
 constexpr std::size_t kFewestPoints = 8;
 
 double square(double x) { return x * x; }
+
+// Cameras mix light within a pixel and encode it afterwards. On the encoded values an edge seems to lie
+// some tenths of a pixel on the dark side of where it is, which makes bright objects large and near.
+// So edges are found by the contrast of encoded values, as people see it, but located in linear light.
+constexpr int kLightLevels = 65535;
+constexpr int kEncodedSteps = 4096;
+
+double decoded_srgb(double encoded) {  // both 0..1
+  return encoded <= 0.04045 ? encoded / 12.92 : std::pow((encoded + 0.055) / 1.055, 2.4);
+}
+
+double encoded_srgb(double light) {  // both 0..1
+  return light <= 0.0031308 ? 12.92 * light : 1.055 * std::pow(light, 1.0 / 2.4) - 0.055;
+}
+
+const std::array<std::uint16_t, 256>& light_table() {
+  static const auto table = [] {
+    std::array<std::uint16_t, 256> values{};
+    for (std::size_t i = 0; i < values.size(); ++i) {
+      values[i] = static_cast<std::uint16_t>(
+          std::lround(kLightLevels * decoded_srgb(static_cast<double>(i) / 255.0)));
+    }
+    return values;
+  }();
+  return table;
+}
+
+/// Grey levels 0..255 of linear light 0..kLightLevels.
+double grey_level(double light) {
+  static const auto table = [] {
+    std::array<float, kEncodedSteps + 1> values{};
+    for (std::size_t i = 0; i < values.size(); ++i) {
+      values[i] =
+          static_cast<float>(255.0 * encoded_srgb(static_cast<double>(i) / kEncodedSteps));
+    }
+    return values;
+  }();
+  return table[static_cast<std::size_t>(light * (static_cast<double>(kEncodedSteps) / kLightLevels))];
+}
 
 }  // namespace
 
@@ -48,7 +88,15 @@ void Refiner::set_image(const cv::Mat& image, const Pose& expected_camera_from_o
   }
   window_ = window;
   if (window_.empty()) return;
-  cv::GaussianBlur(image(window_), smooth_, {}, kBlurSigma_px, kBlurSigma_px, cv::BORDER_REPLICATE);
+  const cv::Mat encoded = image(window_);
+  linear_.create(encoded.size(), CV_16UC(encoded.channels()));
+  const auto& table = light_table();
+  for (int row = 0; row < encoded.rows; ++row) {
+    const auto* const from = encoded.ptr<std::uint8_t>(row);
+    auto* const to = linear_.ptr<std::uint16_t>(row);
+    for (int i = 0; i < encoded.cols * encoded.channels(); ++i) to[i] = table[from[i]];
+  }
+  cv::GaussianBlur(linear_, smooth_, {}, kBlurSigma_px, kBlurSigma_px, cv::BORDER_REPLICATE);
 }
 
 void Refiner::see(const Pose& camera_from_object) {
@@ -62,43 +110,55 @@ void Refiner::see(const Pose& camera_from_object) {
 
 Refiner::Observation Refiner::observe(const Eigen::Vector2d& image_px,
                                       const Eigen::Vector2d& normal, int reach_px) const {
-  // Slope of the image along the normal, at whole steps, the channels' slopes combined.
+  // The image along the normal at whole steps: light, and squared slopes of light and of grey levels,
+  // summed over the channels.
+  constexpr int kLongest = 2 * kMaxReach_px + 5;
   const int channels = smooth_.channels();
-  std::array<std::array<double, 2 * kMaxReach_px + 5>, 3> profile;
   const int last = 2 * reach_px + 4;
+  std::array<std::array<double, kLongest>, 3> light, grey;
   for (int i = 0; i <= last; ++i) {
     const Eigen::Vector2d p = image_px + (i - reach_px - 2) * normal;
     const double x = std::clamp(p.x() - window_.x, 0.0, smooth_.cols - 1.001);
     const double y = std::clamp(p.y() - window_.y, 0.0, smooth_.rows - 1.001);
     const int column = static_cast<int>(x), row = static_cast<int>(y);
     const double fx = x - column, fy = y - row;
-    const auto* const upper = smooth_.ptr<std::uint8_t>(row) + column * channels;
-    const auto* const lower = smooth_.ptr<std::uint8_t>(row + 1) + column * channels;
+    const auto* const upper = smooth_.ptr<std::uint16_t>(row) + column * channels;
+    const auto* const lower = smooth_.ptr<std::uint16_t>(row + 1) + column * channels;
     for (int c = 0; c < channels; ++c) {
-      profile[c][i] = (1 - fy) * ((1 - fx) * upper[c] + fx * upper[c + channels]) +
-                      fy * ((1 - fx) * lower[c] + fx * lower[c + channels]);
+      light[c][i] = (1 - fy) * ((1 - fx) * upper[c] + fx * upper[c + channels]) +
+                    fy * ((1 - fx) * lower[c] + fx * lower[c + channels]);
+      grey[c][i] = grey_level(light[c][i]);
     }
   }
-  std::array<double, 2 * kMaxReach_px + 5> slope;
+  std::array<double, kLongest> light_slope, slope;
   for (int i = 1; i < last; ++i) {
-    double sum = 0;
-    for (int c = 0; c < channels; ++c) sum += square(0.5 * (profile[c][i + 1] - profile[c][i - 1]));
-    slope[i] = std::sqrt(sum);
+    double light_sum = 0, grey_sum = 0;
+    for (int c = 0; c < channels; ++c) {
+      light_sum += square(light[c][i + 1] - light[c][i - 1]);
+      grey_sum += square(0.5 * (grey[c][i + 1] - grey[c][i - 1]));
+    }
+    light_slope[i] = std::sqrt(light_sum);
+    slope[i] = std::sqrt(grey_sum);
   }
 
   Observation best{std::numeric_limits<double>::quiet_NaN(), 0};
   double best_score = 0;
   for (int i = 2; i <= last - 2; ++i) {
-    const double here = slope[i], before = slope[i - 1], after = slope[i + 1];
-    if (here < kFaintest || here < before || here <= after) continue;
-    const double offset_px =
-        i - reach_px - 2 + 0.5 * (before - after) / (before - 2 * here + after);
+    if (slope[i] < kFaintest || slope[i] < slope[i - 1] || slope[i] <= slope[i + 1]) continue;
+    // The light's slope peaks at the same step or at a neighbour.
+    int peak = i;
+    if (light_slope[i - 1] > light_slope[peak] && i > 2) peak = i - 1;
+    if (light_slope[i + 1] > light_slope[peak] && i < last - 2) peak = i + 1;
+    const double before = light_slope[peak - 1], after = light_slope[peak + 1];
+    const double curvature = before - 2 * light_slope[peak] + after;
+    const double between = curvature < 0 ? 0.5 * (before - after) / curvature : 0.0;
+    const double offset_px = peak - reach_px - 2 + std::clamp(between, -1.0, 1.0);
     // Prefer strong edges, but near ones more.
     const double score =
-        here / (here + kHalfStrength) * std::exp(-square(offset_px / (0.6 * reach_px)));
+        slope[i] / (slope[i] + kHalfStrength) * std::exp(-square(offset_px / (0.6 * reach_px)));
     if (score > best_score) {
       best_score = score;
-      best = {offset_px, here};
+      best = {offset_px, slope[i]};
     }
   }
   return best;
@@ -130,7 +190,8 @@ double Refiner::step(Pose& camera_from_object, double reach_px) {
     jacobian << (p - center).cross(gradient.transpose()), gradient.transpose();
 
     const double tukey = square(1 - square(seen.offset_px / cutoff_px));
-    const double weight = tukey * seen.strength / (seen.strength + kHalfStrength);
+    const double trust = point.crowded ? kCrowdedTrust : 1.0;
+    const double weight = trust * tukey * seen.strength / (seen.strength + kHalfStrength);
     normal_matrix += weight * jacobian * jacobian.transpose();
     right_side += weight * seen.offset_px * jacobian;
   }

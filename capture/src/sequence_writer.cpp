@@ -1,0 +1,177 @@
+// SPDX-License-Identifier: BSD-3-Clause
+// Copyright (c) 2026 The Anneal6D authors
+#include "anneal6d/capture/sequence_writer.h"
+
+#include <algorithm>
+#include <array>
+#include <cctype>
+#include <map>
+#include <nlohmann/json.hpp>
+#include <random>
+#include <string_view>
+#include <system_error>
+
+#include "anneal6d/framework/atomic_file.h"
+#include "anneal6d/framework/error.h"
+#include "anneal6d/framework/pose_file.h"
+#include "image_file.h"
+#include "obj_writer.h"
+
+namespace anneal6d {
+namespace {
+
+namespace fs = std::filesystem;
+
+constexpr int kMostFrames = 1'000'000;
+
+// A folder that is filled under another name and takes its own at the end; unless that happens it
+// is removed again.
+class PendingFolder {
+ public:
+  explicit PendingFolder(const fs::path& folder)
+      : folder_(folder), pending_(beside(folder, "partial")) {
+    std::error_code error;
+    fs::create_directories(pending_, error);
+    if (error) throw FileError(pending_, "", "can't make this folder: " + error.message());
+  }
+  ~PendingFolder() {
+    std::error_code ignored;
+    if (!pending_.empty()) fs::remove_all(pending_, ignored);
+  }
+  PendingFolder(const PendingFolder&) = delete;
+  PendingFolder& operator=(const PendingFolder&) = delete;
+
+  const fs::path& path() const { return pending_; }
+
+  void commit() {
+    std::error_code error;
+    const fs::path old = beside(folder_, "old");
+    const bool replaces = fs::exists(folder_, error);
+    if (replaces) fs::rename(folder_, old, error);
+    if (error) throw FileError(folder_, "", "can't be replaced: " + error.message());
+    fs::rename(pending_, folder_, error);
+    if (error) {
+      std::error_code ignored;
+      if (replaces) fs::rename(old, folder_, ignored);
+      throw FileError(folder_, "", "can't be given its name: " + error.message());
+    }
+    pending_.clear();
+    if (replaces) fs::remove_all(old, error);
+  }
+
+ private:
+  static fs::path beside(const fs::path& folder, const std::string& purpose) {
+    const std::string unique = std::to_string(std::random_device{}());
+    return folder.parent_path() / ("." + folder.filename().string() + "." + purpose + "-" + unique);
+  }
+
+  fs::path folder_, pending_;
+};
+
+// Whether `name` is that of a file which write_sequence writes.
+bool is_sequence_file(const std::string& name) {
+  constexpr std::array<std::string_view, 6> fixed = {"camera.yml", "model.obj",       "model.mtl",
+                                                     "model.png",  "groundtruth.csv", "meta.json"};
+  if (std::find(fixed.begin(), fixed.end(), name) != fixed.end()) return true;
+  const std::size_t dot = name.find('.');
+  constexpr std::string_view prefix = "frame_";
+  if (name.substr(0, prefix.size()) != prefix || dot == std::string::npos) return false;
+  const std::string_view digits = std::string_view(name).substr(prefix.size(), dot - prefix.size());
+  const std::string_view extension = std::string_view(name).substr(dot);
+  return !digits.empty() && (extension == ".png" || extension == ".jpg") &&
+         std::all_of(digits.begin(), digits.end(),
+                     [](unsigned char c) { return std::isdigit(c) != 0; });
+}
+
+// "out/" and "." have no name that a temporary folder beside them could be derived from.
+fs::path with_name(const fs::path& folder) {
+  fs::path path = fs::absolute(folder).lexically_normal();
+  if (!path.has_filename()) path = path.parent_path();
+  if (!path.has_filename()) throw FileError(folder, "", "is no folder to write a sequence to");
+  return path;
+}
+
+void check_target(const fs::path& folder, bool force) {
+  std::error_code error;
+  if (!fs::exists(folder, error)) return;
+  if (!fs::is_directory(folder, error)) {
+    throw FileError(folder, "", "is a file; name a folder for the sequence");
+  }
+  if (fs::is_empty(folder, error)) return;
+  if (!force) {
+    throw FileError(folder, "",
+                    "the folder is there already and not empty; name another one, or use --force "
+                    "to replace the sequence in it");
+  }
+  for (const fs::directory_entry& entry : fs::directory_iterator(folder)) {
+    if (!entry.is_regular_file() || !is_sequence_file(entry.path().filename().string())) {
+      throw FileError(entry.path(), "",
+                      "does not belong to a sequence, so the folder is not replaced, not even with "
+                      "--force; name another folder or clear this one by hand");
+    }
+  }
+}
+
+std::string frame_name(std::int64_t index, bool jpeg) {
+  std::string digits = std::to_string(index);
+  if (digits.size() < 4) digits.insert(0, 4 - digits.size(), '0');
+  return "frame_" + digits + (jpeg ? ".jpg" : ".png");
+}
+
+std::string meta_json(const std::string& name, const FrameSource& source, std::int64_t frames,
+                      const Settings& settings) {
+  nlohmann::ordered_json meta;
+  meta["name"] = name;
+  meta["source"] = source.description();
+  meta["frames"] = frames;
+  meta["units"] =
+      "millimetres; poses are camera_from_object (x right, y down, z forward), "
+      "quaternions w x y z; pixel centres at integer coordinates";
+  meta["symmetry"] = "none";
+  if (const auto seed = settings.text("seed")) meta["seed"] = *seed;
+  meta["options"] = nlohmann::ordered_json::object();
+  for (const auto& [key, value] : settings) meta["options"][key] = value;
+  // Text that is not UTF-8 (a file's name) is replaced rather than refused.
+  return meta.dump(1, ' ', false, nlohmann::ordered_json::error_handler_t::replace) + "\n";
+}
+
+}  // namespace
+
+std::int64_t write_sequence(FrameSource& source, const TriangleMesh& mesh, const fs::path& folder,
+                            const SequenceWriterOptions& options) {
+  if (options.jpeg_quality < 0 || options.jpeg_quality > 100) {
+    throw ConfigError("jpeg-quality is " + std::to_string(options.jpeg_quality) +
+                      ", it must lie within 0 (PNG) and 100");
+  }
+  const std::optional<CameraModel> camera = source.camera();
+  if (!camera) {
+    throw ConfigError("a sequence needs a calibration, and " + source.description() +
+                      " has none (--camera FILE)");
+  }
+  const fs::path target = with_name(folder);
+  check_target(target, options.force);
+
+  PendingFolder pending(target);
+  const bool jpeg = options.jpeg_quality > 0;
+  std::map<std::int64_t, Pose> ground_truth;
+  std::int64_t count = 0;
+  while (const std::optional<Frame> frame = source.next()) {
+    if (count == kMostFrames) throw ConfigError("a sequence holds at most 1000000 frames");
+    write_image(pending.path() / frame_name(count, jpeg), frame->image, options.jpeg_quality);
+    if (const auto pose = source.ground_truth()) ground_truth[count] = *pose;
+    ++count;
+    if (options.progress) options.progress(count);
+  }
+  if (count == 0) throw ConfigError(source.description() + " gives no frame to write");
+
+  save_camera(*camera, pending.path() / "camera.yml");
+  write_obj(mesh, pending.path() / "model.obj");
+  if (!ground_truth.empty()) save_poses(ground_truth, pending.path() / "groundtruth.csv");
+  const std::string name = options.name.empty() ? target.filename().string() : options.name;
+  write_file_atomically(pending.path() / "meta.json",
+                        meta_json(name, source, count, options.settings));
+  pending.commit();
+  return count;
+}
+
+}  // namespace anneal6d

@@ -1,0 +1,150 @@
+// SPDX-License-Identifier: BSD-3-Clause
+// Copyright (c) 2026 The Anneal6D authors
+#include <algorithm>
+#include <cstdio>
+#include <memory>
+#include <nlohmann/json.hpp>
+#include <set>
+
+#include "anneal6d/framework/atomic_file.h"
+#include "anneal6d/framework/error.h"
+#include "anneal6d/framework/log.h"
+#include "command.h"
+#include "evaluation_run.h"
+#include "interrupt.h"
+#include "options.h"
+#include "staged_folder.h"
+
+namespace anneal6d {
+
+namespace {
+
+struct EvaluateOptions {
+  std::vector<std::string> sequences;
+  EvaluationOptions evaluation;
+  std::string protocol = "free";
+  std::string out;
+};
+
+constexpr const char* kSummaryFile = "summary.json";
+
+/// "data/cup/" is "cup".
+std::string name_of(const std::string& sequence) {
+  std::filesystem::path path = std::filesystem::absolute(sequence).lexically_normal();
+  if (!path.has_filename()) path = path.parent_path();
+  return path.filename().string();
+}
+
+std::vector<std::string> names_of(const EvaluateOptions& options) {
+  std::vector<std::string> names;
+  std::transform(options.sequences.begin(), options.sequences.end(), std::back_inserter(names),
+                 name_of);
+  if (std::set<std::string>(names.begin(), names.end()).size() != names.size()) {
+    throw ConfigError("two sequences have the same folder name; results go by it: rename one");
+  }
+  const bool several = options.sequences.size() > 1;
+  if (several && !options.evaluation.reference.empty()) {
+    throw ConfigError("--reference belongs to one sequence; give one");
+  }
+  if (several && !options.evaluation.tracking.init.empty()) {
+    throw ConfigError("--init belongs to one sequence; give one");
+  }
+  return names;
+}
+
+nlohmann::ordered_json options_json(const EvaluationOptions& options) {
+  const TrackingOptions& tracking = options.tracking;
+  nlohmann::ordered_json json = {{"tracker", tracking.tracker},
+                                 {"protocol", to_string(options.protocol)},
+                                 {"stride", tracking.stride},
+                                 {"start", tracking.start},
+                                 {"jobs", options.jobs}};
+  if (tracking.frames) json["frames"] = *tracking.frames;
+  for (const auto& [name, text] : {std::pair{"model", &tracking.model},
+                                   {"camera", &tracking.camera},
+                                   {"init", &tracking.init},
+                                   {"plugin", &tracking.plugin},
+                                   {"reference", &options.reference}}) {
+    if (!text->empty()) json[name] = *text;
+  }
+  if (tracking.model_unit != "mm") json["model-unit"] = tracking.model_unit;
+  for (const auto& [name, value] : tracking.settings) {
+    if (name != "seed") json[name] = value;
+  }
+  return json;
+}
+
+nlohmann::ordered_json summary_json(const std::vector<SequenceEvaluation>& evaluations,
+                                    const EvaluationOptions& options) {
+  nlohmann::ordered_json sequences = nlohmann::ordered_json::array();
+  std::vector<Summary> summaries;
+  for (const SequenceEvaluation& evaluation : evaluations) {
+    nlohmann::ordered_json entry = to_json(evaluation.summary);
+    entry["seed"] = options.tracking.settings.text("seed").value_or("");
+    entry["options"] = options_json(options);
+    sequences.push_back(std::move(entry));
+    summaries.push_back(evaluation.summary);
+  }
+  return {{"sequences", std::move(sequences)}, {"mean", to_json(mean_of(summaries))}};
+}
+
+void write_results(const std::vector<SequenceEvaluation>& evaluations,
+                   const EvaluationOptions& options, StagedFolder& folder) {
+  for (const SequenceEvaluation& evaluation : evaluations) {
+    const std::filesystem::path place = folder.path() / evaluation.summary.name;
+    std::filesystem::create_directories(place);
+    PoseWriter poses(place / "poses.csv");
+    for (const PoseRow& row : evaluation.rows) poses.write(row);
+    poses.commit();
+  }
+  write_file_atomically(folder.path() / kSummaryFile,
+                        summary_json(evaluations, options).dump(2) + "\n");
+  folder.commit(kSummaryFile);
+}
+
+int evaluate(EvaluateOptions options) {
+  options.evaluation.protocol = parse_protocol(options.protocol);
+  const std::vector<std::string> names = names_of(options);
+  catch_interrupt();
+  std::optional<StagedFolder> folder;  // made first: an unwritable one is found out before the work
+  if (!options.out.empty()) folder.emplace(options.out);
+  const std::vector<SequenceEvaluation> evaluations =
+      evaluate_sequences(options.sequences, names, options.evaluation);
+  if (folder) {
+    write_results(evaluations, options.evaluation, *folder);
+    log(LogLevel::info, "results are in " + options.out);
+  }
+  std::vector<Summary> summaries;
+  for (const SequenceEvaluation& evaluation : evaluations) {
+    summaries.push_back(evaluation.summary);
+  }
+  std::fputs(to_table(summaries).c_str(), stdout);
+  return 0;
+}
+
+}  // namespace
+
+Command add_evaluate_command(CLI::App& tool) {
+  CLI::App* app =
+      tool.add_subcommand("evaluate", "Tracks sequences and compares with their ground truth");
+  auto options = std::make_shared<EvaluateOptions>();
+  app->add_option("SEQUENCE", options->sequences, "Sequence folders")->required();
+  add_tracking_options(*app, options->evaluation.tracking);
+  app->add_option("--protocol", options->protocol,
+                  "free: never reset; rbot: reset to the ground truth after a frame that is 50 mm "
+                  "or 5 degrees off; default free")
+      ->type_name("free|rbot");
+  app->add_option("--reference", options->evaluation.reference,
+                  "Poses to judge against instead of groundtruth.csv")
+      ->type_name("FILE");
+  app->add_option("--jobs", options->evaluation.jobs,
+                  "Sequences tracked at the same time, default 1; more make the times longer")
+      ->type_name("N")
+      ->check(CLI::Range(1, 1024));
+  app->add_option("--out", options->out,
+                  "Folder for summary.json and, for each sequence, poses.csv; default: none")
+      ->type_name("DIR");
+  return {app, [options] { return evaluate(*options); }};
+}
+
+}  // namespace anneal6d

@@ -1,0 +1,39 @@
+// SPDX-License-Identifier: BSD-3-Clause
+// Copyright (c) 2026 The Anneal6D authors
+#pragma once
+
+#include <CLI/CLI.hpp>
+#include <cstdint>
+#include <optional>
+#include <string>
+
+#include "anneal6d/framework/settings.h"
+
+namespace anneal6d {
+
+/// The options that `track` and `evaluate` share. Empty texts: not given.
+struct TrackingOptions {
+  std::string model;
+  std::string model_unit = "mm";
+  std::string camera;
+  std::string init;  ///< "tx ty tz qw qx qy qz"
+  std::string tracker = "universal";
+  std::string plugin;
+  std::int64_t start = 0;              ///< frames passed over at the beginning
+  std::int64_t stride = 1;             ///< every so many frames one is taken
+  std::optional<std::int64_t> frames;  ///< how many frames are taken at most
+  /// The tracker's: those that the user gave, and the seed, so that it can be reported.
+  Settings settings;
+};
+
+void add_tracking_options(CLI::App& command, TrackingOptions& options);
+
+/// Where the object's motion and picture are simulated: names are those of the simulation's
+/// settings. `settings` gets what the user gave.
+void add_simulation_options(CLI::App& command, Settings& settings);
+
+/// `--name`, kept as typed: whoever reads the setting checks the value.
+CLI::Option* add_setting(CLI::App& command, Settings& settings, const std::string& name,
+                         const std::string& type, const std::string& help);
+
+}  // namespace anneal6d
