@@ -14,7 +14,7 @@
 namespace anneal6d {
 namespace {
 
-const cv::Scalar kPlainGrey(72, 72, 72);
+const cv::Scalar kPlain(0, 0, 0);
 constexpr int kShapes = 90;
 constexpr int kSubpixelBits = 4;
 
@@ -154,7 +154,7 @@ cv::Mat fill_frame(const cv::Mat& image, const cv::Size& size) {
 }  // namespace
 
 cv::Mat make_background(const std::string& background, const cv::Size& size, std::uint64_t seed) {
-  if (background == "none") return cv::Mat(size, CV_8UC3, kPlainGrey);
+  if (background == "none") return cv::Mat(size, CV_8UC3, kPlain);
   if (background == "clutter") return draw_clutter(size, seed);
   cv::Mat image = read_image(background);
   if (image.channels() == 1) cv::cvtColor(image, image, cv::COLOR_GRAY2BGR);

@@ -3,12 +3,15 @@
 #include "anneal6d/capture/simulation_source.h"
 
 #include <algorithm>
+#include <array>
 #include <cmath>
 #include <numbers>
 #include <opencv2/calib3d.hpp>
 #include <opencv2/imgproc.hpp>
+#include <vector>
 
 #include "anneal6d/framework/error.h"
+#include "anneal6d/framework/srgb.h"
 #include "background.h"
 #include "forearm.h"
 #include "simulation_random.h"
@@ -78,18 +81,37 @@ void add_noise(cv::Mat& image, double sigma, std::uint64_t seed, std::int64_t in
 }
 
 // Lays premultiplied colour over the background.
+/// Of 8-bit grey levels, for cv::LUT.
+const cv::Mat& light_table() {
+  static const std::array<float, 256> values = srgb_light_table();
+  static const cv::Mat table(1, 256, CV_32FC1, const_cast<float*>(values.data()));
+  return table;
+}
+
+constexpr int kEncodeSteps = 65536;
+
+/// `color` and `background` are linear light, 0..1, `image` is encoded.
 void compose(const cv::Mat& color, const cv::Mat& coverage, const cv::Mat& background,
              double brightness, cv::Mat& image) {
   image.create(background.size(), CV_8UC3);
+  static const std::vector<unsigned char> encode = [] {
+    std::vector<unsigned char> levels(kEncodeSteps + 1);
+    for (int i = 0; i <= kEncodeSteps; ++i) {
+      levels[static_cast<std::size_t>(i)] = cv::saturate_cast<unsigned char>(
+          255.0 * encoded_srgb(static_cast<double>(i) / kEncodeSteps));
+    }
+    return levels;
+  }();
   for (int y = 0; y < image.rows; ++y) {
     const auto* object = color.ptr<cv::Vec3f>(y);
     const auto* share = coverage.ptr<float>(y);
-    const auto* behind = background.ptr<cv::Vec3b>(y);
+    const auto* behind = background.ptr<cv::Vec3f>(y);
     auto* out = image.ptr<cv::Vec3b>(y);
     for (int x = 0; x < image.cols; ++x) {
       for (int c = 0; c < 3; ++c) {
-        const float value = object[x][c] + (1 - share[x]) * static_cast<float>(behind[x][c]);
-        out[x][c] = cv::saturate_cast<unsigned char>(brightness * value);
+        const double light = brightness * (object[x][c] + (1 - share[x]) * behind[x][c]);
+        out[x][c] = encode[static_cast<std::size_t>(
+            std::lround(kEncodeSteps * std::clamp(light, 0.0, 1.0)))];
       }
     }
   }
@@ -150,8 +172,9 @@ SimulationSource::SimulationSource(std::shared_ptr<const TriangleMesh> mesh,
                       " mm, behind or inside the camera; z must be positive");
   }
   trajectory_ = simulate_trajectory(options_, start, VisibleVolume(*mesh_, camera_, start));
-  background_ =
-      make_background(options_.background, {camera_.width_px, camera_.height_px}, options_.seed);
+  cv::LUT(
+      make_background(options_.background, {camera_.width_px, camera_.height_px}, options_.seed),
+      light_table(), background_);
   if (camera_.has_distortion()) make_distortion_maps(camera_, distort_x_, distort_y_);
   const double diameter_px = 2 * mesh_->radius_mm() * camera_.fx_px / distance_mm;
   occluder_radius_px_ = 0.5 * options_.occluder_size * diameter_px;
@@ -197,11 +220,12 @@ void SimulationSource::add_view(const Pose& camera_from_object, const Shading& s
                                 double weight) {
   renderer_->render(camera_from_object, shading, dense_color_, dense_depth_);
   dense_coverage_ = dense_depth_ > 0;
-  // Averaging colours that are black outside the object yields colours premultiplied by coverage.
-  cv::resize(dense_color_, view_color_, color_.size(), 0, 0, cv::INTER_AREA);
+  // A pixel mixes light, not encoded values. Averaging what is black outside the object yields
+  // light premultiplied by coverage.
+  cv::LUT(dense_color_, light_table(), dense_light_);
+  cv::resize(dense_light_, view_light_, color_.size(), 0, 0, cv::INTER_AREA);
   cv::resize(dense_coverage_, view_coverage_, color_.size(), 0, 0, cv::INTER_AREA);
-  view_color_.convertTo(scratch_color_, CV_32F);
-  cv::scaleAdd(scratch_color_, weight, color_, color_);
+  cv::scaleAdd(view_light_, weight, color_, color_);
   view_coverage_.convertTo(scratch_coverage_, CV_32F);
   cv::scaleAdd(scratch_coverage_, weight / 255, coverage_, coverage_);
 }

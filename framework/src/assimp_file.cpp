@@ -21,6 +21,7 @@
 
 #include "anneal6d/framework/error.h"
 #include "assimp_files.h"
+#include "gltf_check.h"
 #include "texture_file.h"
 
 namespace anneal6d {
@@ -226,8 +227,8 @@ MeshData load_with_assimp(const fs::path& path, std::string_view extension) {
   auto* const files = new AssimpFiles;
   importer.SetIOHandler(files);  // takes it over
   const std::string name = path.string();
-  files->Close(files->Open(name.c_str(), "rb"));
-  if (files->failure()) throw *files->failure();
+  const std::string& content = files->content(name);
+  if (extension != ".obj") check_gltf(path, content, extension == ".glb");
 
   // With v = 0 at the top, as our textures have it; assimp has it at the bottom for all formats.
   constexpr unsigned kSteps =

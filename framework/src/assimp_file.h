@@ -9,14 +9,16 @@
 
 namespace anneal6d {
 
-/// Whether `extension` (".obj", lower case) is of a format that `load_with_assimp` reads: OBJ, glTF.
-/// PLY and STL have readers of our own: assimp's hang on truncated PLY and accept truncated STL.
+/// Whether `extension` (".obj", lower case) is of a format that `load_with_assimp` reads: OBJ,
+/// glTF. PLY and STL have readers of our own: assimp's hang on truncated PLY and accept truncated
+/// STL.
 bool is_read_by_assimp(std::string_view extension);
 
 /// Reads a model through assimp: all meshes of the scene at their places, polygons cut into
-/// triangles, points and lines left out, normals as the file gives them. The albedo is the material's diffuse colour times
-/// the vertex colour, as shown on a screen (sRGB). At most one texture, which then covers the whole
-/// model. Every file the model names must be there. Throws FileError.
+/// triangles, points and lines left out, normals as the file gives them. The albedo is the
+/// material's diffuse colour times the vertex colour, as shown on a screen (sRGB). At most one
+/// texture, which then covers the whole model. Every file the model names must be there. Throws
+/// FileError.
 MeshData load_with_assimp(const std::filesystem::path& path, std::string_view extension);
 
 }  // namespace anneal6d

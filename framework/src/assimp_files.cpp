@@ -20,14 +20,19 @@ bool AssimpFiles::Exists(const char* name) const {
   return std::filesystem::is_regular_file(name, ignored);
 }
 
+const std::string& AssimpFiles::content(const std::string& name) {
+  auto found = contents_.find(name);
+  if (found == contents_.end()) {
+    found = contents_.emplace(name, read_file(name, kMaxFileSize)).first;
+  }
+  return found->second;
+}
+
 Assimp::IOStream* AssimpFiles::Open(const char* name, const char* /*mode*/) {
   try {
-    auto found = contents_.find(name);
-    if (found == contents_.end()) {
-      found = contents_.emplace(name, read_file(name, kMaxFileSize)).first;
-    }
-    return new Assimp::MemoryIOStream(reinterpret_cast<const std::uint8_t*>(found->second.data()),
-                                      found->second.size());
+    const std::string& bytes = content(name);
+    return new Assimp::MemoryIOStream(reinterpret_cast<const std::uint8_t*>(bytes.data()),
+                                      bytes.size());
   } catch (const FileError& error) {
     if (!failure_) failure_ = error;
     return nullptr;  // how assimp expects to be told

@@ -20,6 +20,9 @@ class AssimpFiles : public Assimp::IOSystem {
   Assimp::IOStream* Open(const char* name, const char* mode) override;
   void Close(Assimp::IOStream* stream) override;
 
+  /// The whole of a file, which `Open` then serves without reading it again. Throws FileError.
+  const std::string& content(const std::string& name);
+
   /// The first file that could not be read.
   const std::optional<FileError>& failure() const { return failure_; }
 

@@ -8,7 +8,6 @@
 #include <limits>
 
 #include "anneal6d/framework/error.h"
-#include "anneal6d/framework/number.h"
 #include "little_endian.h"
 
 namespace anneal6d {
@@ -40,8 +39,6 @@ constexpr std::array<TypeRow, 8> kTypes = {row<std::int8_t>("int8", "char", PlyT
 
 const TypeRow& row_of(PlyType type) { return kTypes[static_cast<std::size_t>(type)]; }
 
-bool is_whole(PlyType type) { return type != PlyType::float32 && type != PlyType::float64; }
-
 PlyType take_type(TextTokens& words) {
   const std::string_view name = words.take("a type");
   for (const TypeRow& row : kTypes) {
@@ -64,20 +61,6 @@ PlyProperty take_property(TextTokens& words) {
   return property;
 }
 
-PlyHeader::Encoding take_encoding(TextTokens& words) {
-  const std::string_view name = words.take("a format");
-  PlyHeader::Encoding encoding = PlyHeader::Encoding::ascii;
-  if (name == "binary_little_endian") {
-    encoding = PlyHeader::Encoding::little_endian;
-  } else if (name == "binary_big_endian") {
-    encoding = PlyHeader::Encoding::big_endian;
-  } else if (name != "ascii") {
-    words.fail_at_taken(excerpt(name) + " is no format of PLY");
-  }
-  if (words.take("1.0") != "1.0") words.fail_at_taken("the version of PLY should be 1.0");
-  return encoding;
-}
-
 template <bool kBig>
 double decode(const char* bytes, PlyType type) {
   const auto as = [&]<class Number>(Number) {
@@ -85,68 +68,111 @@ double decode(const char* bytes, PlyType type) {
                                     : decode_little_endian<Number>(bytes));
   };
   switch (type) {
-    case PlyType::int8: return as(std::int8_t{});
-    case PlyType::uint8: return as(std::uint8_t{});
-    case PlyType::int16: return as(std::int16_t{});
-    case PlyType::uint16: return as(std::uint16_t{});
-    case PlyType::int32: return as(std::int32_t{});
-    case PlyType::uint32: return as(std::uint32_t{});
-    case PlyType::float32: return as(float{});
-    case PlyType::float64: return as(double{});
+    case PlyType::int8:
+      return as(std::int8_t{});
+    case PlyType::uint8:
+      return as(std::uint8_t{});
+    case PlyType::int16:
+      return as(std::int16_t{});
+    case PlyType::uint16:
+      return as(std::uint16_t{});
+    case PlyType::int32:
+      return as(std::int32_t{});
+    case PlyType::uint32:
+      return as(std::uint32_t{});
+    case PlyType::float32:
+      return as(float{});
+    case PlyType::float64:
+      return as(double{});
   }
   return 0;  // unreachable
 }
 
 }  // namespace
 
-PlyHeader parse_ply_header(const fs::path& path, std::string_view content) {
-  // Only the header is text: nothing may look for words behind it.
-  const std::size_t last = content.find("end_header");
-  const std::size_t end =
-      last == std::string_view::npos ? last : content.find('\n', last);
-  if (!content.starts_with("ply") || end == std::string_view::npos) {
-    throw FileError(path, "", "is no PLY model: it should have a header from 'ply' to 'end_header'");
-  }
-  PlyHeader header;
-  header.size = end + 1;
-  const std::string_view text = content.substr(0, header.size);
-  TextTokens words(path, text);
-  words.take("ply");
-  bool has_format = false;
-  while (words.peek() != "end_header") {
-    const std::string_view word = words.take("a line of the header");
-    const bool is_comment = word == "comment" || word == "obj_info";
-    if (word == "format") {
-      header.encoding = take_encoding(words);
-      has_format = true;
-    } else if (word == "element") {
-      PlyElement& element = header.elements.emplace_back();
-      element.name = words.take("the name of an element");
-      element.count = words.count("the number of elements");
-    } else if (word == "property") {
-      if (header.elements.empty()) words.fail_at_taken("a property without an element above it");
-      header.elements.back().properties.push_back(take_property(words));
-    } else if (is_comment && words.line() == words.taken_line()) {
-      const std::string_view comment = words.rest_of_line();
-      constexpr std::string_view kTexture = "TextureFile ";
-      if (comment.starts_with(kTexture)) {
-        if (!header.texture.empty()) words.fail_at_taken("names a second texture; bake them into one");
-        header.texture = comment.substr(kTexture.size());
-      }
-    } else if (!is_comment) {
-      words.fail_at_taken(excerpt(word) + " is unknown in a header of PLY");
-    }
-  }
-  if (!has_format) words.fail_at_next("the header has no format");
-  return header;
+PlyValues::PlyValues(const fs::path& path, std::string_view content)
+    : path_(path), content_(content), words_(path, content) {
+  if (words_.peek() != "ply")
+    throw FileError(path, "", "is no PLY model: it should begin with 'ply'");
+  words_.take("ply");
+  read_header();
 }
 
-PlyValues::PlyValues(const fs::path& path, std::string_view content, const PlyHeader& header)
-    : path_(path),
-      content_(content.substr(header.size)),
-      encoding_(header.encoding),
-      tokens_(path, encoding_ == PlyHeader::Encoding::ascii ? content : "", 0),
-      header_lines_(0),
-      at_(header.size) {}
+void PlyValues::read_header() {
+  while (words_.peek() != "end_header") {
+    const std::string_view word = words_.take("a line of the header");
+    if (word == "format") {
+      encoding_ = take_encoding();
+    } else if (word == "element") {
+      PlyElement& element = elements_.emplace_back();
+      element.name = words_.take("the name of an element");
+      element.count = words_.count("the number of elements");
+    } else if (word == "property") {
+      if (elements_.empty()) words_.fail_at_taken("a property without an element above it");
+      elements_.back().properties.push_back(take_property(words_));
+    } else if (word == "comment" || word == "obj_info") {
+      if (words_.line() != words_.taken_line()) continue;
+      constexpr std::string_view kTexture = "TextureFile ";
+      const std::string_view comment = words_.rest_of_line();
+      if (!comment.starts_with(kTexture)) continue;
+      if (!texture_.empty()) words_.fail_at_taken("names a second texture; bake them into one");
+      texture_ = comment.substr(kTexture.size());
+    } else {
+      words_.fail_at_taken(excerpt(word) + " is unknown in a header of PLY");
+    }
+  }
+  if (!encoding_) words_.fail_at_next("the header has no format");
+  const std::string_view end_word = words_.take("end_header");
+  const auto end = static_cast<std::size_t>(end_word.data() - content_.data()) + end_word.size();
+  at_ = std::min(content_.find('\n', end), content_.size() - 1) + 1;
+  taken_ = at_;
+}
+
+PlyValues::Encoding PlyValues::take_encoding() {
+  const std::string_view name = words_.take("a format");
+  const bool is_known =
+      name == "ascii" || name == "binary_little_endian" || name == "binary_big_endian";
+  if (!is_known) words_.fail_at_taken(excerpt(name) + " is no format of PLY");
+  if (words_.take("1.0") != "1.0") words_.fail_at_taken("the version of PLY should be 1.0");
+  if (name == "ascii") return Encoding::ascii;
+  return name == "binary_little_endian" ? Encoding::little_endian : Encoding::big_endian;
+}
+
+double PlyValues::take(PlyType type) {
+  const TypeRow& row = row_of(type);
+  double value = 0;
+  if (encoding_ == Encoding::ascii) {
+    value = words_.number("a value");
+  } else {
+    taken_ = at_;
+    if (content_.size() - at_ < row.size) fail("the file ends inside its values");
+    const char* const bytes = content_.data() + at_;
+    value =
+        encoding_ == Encoding::big_endian ? decode<true>(bytes, type) : decode<false>(bytes, type);
+    at_ += row.size;
+  }
+  const bool fits = value >= row.lowest && value <= row.highest &&
+                    (!is_whole(type) || value == std::floor(value));
+  if (!fits) fail("a value is not finite, or not of its type, " + std::string(row.old_name));
+  return value;
+}
+
+void PlyValues::expect_end() const {
+  if (encoding_ == Encoding::ascii) {
+    if (!words_.at_end()) words_.fail_at_next("there are more values than the header says");
+  } else if (at_ != content_.size()) {
+    throw FileError(path_, "byte " + std::to_string(at_),
+                    "there are more values than the header says");
+  }
+}
+
+void PlyValues::fail(const std::string& what) const {
+  if (encoding_ == Encoding::ascii) words_.fail_at_taken(what);
+  throw FileError(path_, "byte " + std::to_string(taken_), what);
+}
+
+bool is_whole(PlyType type) { return type != PlyType::float32 && type != PlyType::float64; }
+
+double largest_of(PlyType type) { return row_of(type).highest; }
 
 }  // namespace anneal6d

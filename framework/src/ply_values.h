@@ -17,7 +17,7 @@ enum class PlyType { int8, uint8, int16, uint16, int32, uint32, float32, float64
 
 struct PlyProperty {
   std::string name;
-  PlyType type = PlyType::float32;      ///< of the value, or of a list's items
+  PlyType type = PlyType::float32;     ///< of the value, or of a list's items
   std::optional<PlyType> length_type;  ///< of the number of items; empty: no list
 };
 
@@ -27,44 +27,43 @@ struct PlyElement {
   std::vector<PlyProperty> properties;
 };
 
-/// What comes before the values of a PLY file.
-struct PlyHeader {
-  enum class Encoding { ascii, little_endian, big_endian };
-  Encoding encoding = Encoding::ascii;
-  std::vector<PlyElement> elements;
-  std::string texture;  ///< of a line "comment TextureFile NAME"; empty: none
-  std::size_t size = 0;  ///< bytes up to the values
-};
-
-/// Reads the header. Throws FileError with the line.
-PlyHeader parse_ply_header(const std::filesystem::path& path, std::string_view content);
-
-/// Takes the values after the header one by one. Keeps references to its arguments.
+/// The header of a PLY file, then its values one by one. Keeps references to its arguments.
 class PlyValues {
  public:
-  PlyValues(const std::filesystem::path& path, std::string_view content, const PlyHeader& header);
+  /// Reads the header. Throws FileError with the line.
+  PlyValues(const std::filesystem::path& path, std::string_view content);
 
-  /// The next value; throws FileError: the file ends, no number, not finite, not within its type.
+  const std::vector<PlyElement>& elements() const { return elements_; }
+  /// Of a line "comment TextureFile NAME" in the header; empty: none.
+  const std::string& texture() const { return texture_; }
+
+  /// The next value. Throws FileError: the file ends, no number, not finite, outside its type.
   double take(PlyType type);
-  /// The next value as the number of a list's items.
-  std::size_t take_length(PlyType type);
-  bool at_end() const;
+  /// Throws FileError if there is something left.
+  void expect_end() const;
   /// Throws FileError at the value taken last.
   [[noreturn]] void fail(const std::string& what) const;
 
  private:
-  double take_text(PlyType type);
-  double take_binary(PlyType type);
+  enum class Encoding { ascii, little_endian, big_endian };
+
+  void read_header();
+  Encoding take_encoding();
 
   const std::filesystem::path& path_;
   std::string_view content_;
-  PlyHeader::Encoding encoding_;
-  TextTokens tokens_;    // after the header of a text file
-  int header_lines_;     // before those of tokens_
-  std::size_t at_ = 0;   // the next byte of a binary file
+  TextTokens words_;  // of the header, then of the values of a text file
+  std::optional<Encoding> encoding_;
+  std::vector<PlyElement> elements_;
+  std::string texture_;
+  std::size_t at_ = 0;     // the next value of a binary file
+  std::size_t taken_ = 0;  // the one before
 };
 
-/// Largest value of a colour of this type.
-double ply_white(PlyType type);
+/// Whether it is a type of whole numbers.
+bool is_whole(PlyType type);
+
+/// The largest value of the type: what a colour of whole numbers calls white.
+double largest_of(PlyType type);
 
 }  // namespace anneal6d

@@ -26,8 +26,9 @@ constexpr std::size_t kNormalSize = 12;
 void add_triangle(MeshData& mesh, const std::array<Eigen::Vector3f, 3>& corners,
                   const fs::path& path) {
   if (mesh.triangles.size() >= kMaxTriangles) {
-    throw FileError(path, "", "has more than " + std::to_string(kMaxTriangles) +
-                                  " triangles; simplify the model");
+    throw FileError(
+        path, "",
+        "has more than " + std::to_string(kMaxTriangles) + " triangles; simplify the model");
   }
   const auto first = static_cast<std::uint32_t>(mesh.vertices.size());
   for (const Eigen::Vector3f& corner : corners) mesh.vertices.emplace_back().position_mm = corner;
@@ -112,9 +113,10 @@ MeshData load_stl(const fs::path& path) {
   }
   const TextTokens tokens(path, content);
   if (!tokens.peek().starts_with("solid") && !tokens.peek().starts_with("SOLID")) {
-    throw FileError(path, "",
-                    "is no STL model: it does not begin with 'solid', and its size does not fit the "
-                    "number of triangles at byte 80");
+    throw FileError(
+        path, "",
+        "is no STL model: it does not begin with 'solid', and its size does not fit the "
+        "number of triangles at byte 80");
   }
   return parse_text(path, content);
 }

@@ -29,7 +29,8 @@ void check(const std::vector<MeshVertex>& vertices, const std::vector<Triangle>&
     if (!v.position_mm.allFinite() || !v.normal.allFinite() || !v.uv.allFinite()) {
       throw ConfigError(which + " is not finite");
     }
-    if (!(v.albedo_bgr.minCoeff() >= 0.0F && v.albedo_bgr.maxCoeff() <= 1.0F)) {
+    // Entry by entry: minCoeff() and maxCoeff() may pass over NaN.
+    if (!((v.albedo_bgr.array() >= 0.0F) && (v.albedo_bgr.array() <= 1.0F)).all()) {
       throw ConfigError(which + " has an albedo outside 0..1");
     }
   }

@@ -144,6 +144,10 @@ Command add_evaluate_command(CLI::App& tool) {
   app->add_option("--out", options->out,
                   "Folder for summary.json and, for each sequence, poses.csv; default: none")
       ->type_name("DIR");
+  app->footer(
+      "The pose of the first frame is given, so that frame is not judged; neither are frames "
+      "without "
+      "ground truth.\nThe mean of several sequences counts each of them alike.");
   return {app, [options] { return evaluate(*options); }};
 }
 

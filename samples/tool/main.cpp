@@ -28,6 +28,22 @@ std::string with_origin(std::string message, const std::string& config,
   return message;
 }
 
+/// CLI11 only says that a command is required, also when one was given that does not exist.
+std::string explain(const CLI::ParseError& error, const CLI::App& tool, int argc, char** argv) {
+  const std::string word = argc > 1 ? argv[1] : "";
+  std::string names;
+  for (const CLI::App* command : tool.get_subcommands({})) {
+    if (command->get_name() == word) {
+      return std::string(error.what()) + "; see anneal6d " + word + " --help";
+    }
+    names += (names.empty() ? "" : ", ") + command->get_name();
+  }
+  if (word.empty() || word.starts_with('-')) {
+    return std::string(error.what()) + "; there are the commands " + names;
+  }
+  return "there is no command '" + word + "'; there are: " + names;
+}
+
 int run(const anneal6d::Command& command, const std::string& config) {
   std::set<std::string> keys_from_config;
   try {
@@ -73,7 +89,7 @@ int main(int argc, char** argv) {
   } catch (const CLI::Success& success) {  // --help, --version
     return tool.exit(success);
   } catch (const CLI::ParseError& error) {
-    anneal6d::log(anneal6d::LogLevel::error, std::string(error.what()) + "; see anneal6d --help");
+    anneal6d::log(anneal6d::LogLevel::error, explain(error, tool, argc, argv));
     return kWrongUsage;
   }
   for (const anneal6d::Command& command : commands) {

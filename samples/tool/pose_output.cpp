@@ -9,19 +9,17 @@
 namespace anneal6d {
 
 PoseOutput::PoseOutput(const std::string& path) {
-  if (!path.empty()) {
-    file_.emplace(path);
-  } else {
-    print(pose_row_header());
-  }
+  if (!path.empty()) file_.emplace(path);
 }
 
 void PoseOutput::write(const PoseRow& row) {
   if (file_) {
     file_->write(row);
-  } else {
-    print(to_csv(row));
+    return;
   }
+  if (!header_printed_) print(pose_row_header());
+  header_printed_ = true;
+  print(to_csv(row));
 }
 
 void PoseOutput::commit() {

@@ -23,6 +23,7 @@ class PoseOutput {
   void print(std::string_view line);
 
   std::optional<PoseWriter> file_;
+  bool header_printed_ = false;
 };
 
 }  // namespace anneal6d

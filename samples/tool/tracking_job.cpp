@@ -53,12 +53,7 @@ std::int64_t chosen_frames(std::int64_t available, const TrackingOptions& option
 }
 
 std::shared_ptr<const TriangleMesh> load_model(const fs::path& path, const std::string& unit) {
-  auto mesh = std::make_shared<const TriangleMesh>(load_mesh(path, parse_length_unit(unit)));
-  const Eigen::Vector3f size_mm = mesh->max_corner_mm() - mesh->min_corner_mm();
-  log(LogLevel::info, fmt::format("model {}: {} triangles, {:.1f} x {:.1f} x {:.1f} mm{}",
-                                  path.string(), mesh->triangles().size(), size_mm.x(), size_mm.y(),
-                                  size_mm.z(), mesh->has_texture() ? ", textured" : ""));
-  return mesh;
+  return std::make_shared<const TriangleMesh>(load_mesh(path, parse_length_unit(unit)));
 }
 
 TrackingJob open_tracking_job(const std::string& input, const TrackingOptions& options,

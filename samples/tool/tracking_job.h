@@ -34,7 +34,7 @@ struct TrackingJob {
 TrackingJob open_tracking_job(const std::string& input, const TrackingOptions& options,
                               const Settings& simulation);
 
-/// Reads a model and logs its size, since a wrong unit shows there.
+/// Reads a model; `unit` as of --model-unit. Throws FileError and ConfigError.
 std::shared_ptr<const TriangleMesh> load_model(const std::filesystem::path& path,
                                                const std::string& unit);
 

@@ -20,7 +20,7 @@ using test::make_box;
 using test::make_flat_renderer;
 using test::message_of;
 
-constexpr int kBackgroundGrey = 72;
+constexpr int kBackgroundGrey = 0;
 
 CameraModel small_camera() { return {160, 120, 160, 160, 79.5, 59.5, {}}; }
 

@@ -106,7 +106,7 @@ TEST_F(CaoFile, RejectsOtherVersionsAndEmptyFiles) {
 
 TEST_F(CaoFile, RejectsATruncatedFile) {
   expect_error("V1\n4\n0 0 0\n10 0", "line 4", "a coordinate of a point");
-  expect_error(kSquare + "0\n0\n1\n4 0 1 2", "line 9", "the number of a point");
+  expect_error(kSquare + "0\n0\n1\n4 0 1 2", "line 10", "the number of a point");
   expect_error(kSquare, "line 7", "the number of lines");
 }
 

@@ -55,18 +55,20 @@ TEST_F(BadMeshFile, HasAnUnknownEnding) {
 }
 
 TEST_F(BadMeshFile, IsEmpty) {
-  for (const char* name : {"m.obj", "m.ply", "m.stl", "m.gltf", "m.glb"}) {
-    SCOPED_TRACE(name);
-    expect_error(name, "", "is malformed");
-  }
+  expect_error("m.obj", "", "is malformed");
+  expect_error_about(folder_.write("m.gltf", ""), "m.gltf", "no valid JSON", "byte 1");
+  expect_error_about(folder_.write("m.glb", ""), "m.glb", "no binary glTF", "byte 0");
+  expect_error("m.ply", "", "should begin with 'ply'");
+  expect_error("m.stl", "", "is no STL model");
 }
 
 TEST_F(BadMeshFile, IsOfAnotherFormatThanItsEndingSays) {
-  for (const char* name : {"m.ply", "m.stl", "m.gltf", "m.glb"}) {
-    SCOPED_TRACE(name);
-    expect_error(name, std::string(kTriangleObj) + std::string(200, '#'), "");
-  }
-  expect_error("m.obj", content_of(golden("box.png")), "");
+  const std::string obj = kTriangleObj + std::string(200, '#');
+  expect_error("m.ply", obj, "should begin with 'ply'");
+  expect_error("m.stl", obj, "is no STL model");
+  expect_error_about(folder_.write("m.gltf", obj), "m.gltf", "no valid JSON", "byte 1");
+  expect_error_about(folder_.write("m.glb", obj), "m.glb", "no binary glTF", "byte 0");
+  expect_error("m.obj", content_of(golden("box.png")), "is malformed");
 }
 
 TEST_F(BadMeshFile, IsTruncated) {
@@ -103,7 +105,9 @@ TEST_F(BadMeshFile, HasCoordinatesThatAreNotFinite) {
 
 TEST_F(BadMeshFile, NamesVerticesThatDoNotExist) {
   expect_error("index.obj", "v 0 0 0\nv 50 0 0\nv 0 50 0\nf 1 2 4\n", "");
-  expect_error("index.ply", replaced(content_of(golden("box.ply")), "4 0 4 6 2", "4 0 4 6 99"), "");
+  const auto ply = folder_.write(
+      "index.ply", replaced(content_of(golden("box.ply")), "4 0 4 6 2", "4 0 4 6 99"));
+  expect_error_about(ply, "index.ply", "names a vertex that does not exist", "line 21");
 }
 
 TEST_F(BadMeshFile, LiesFarFromItsOrigin) {
@@ -149,6 +153,69 @@ TEST_F(BadMeshFile, HasSeveralTextures) {
   expect_error("parts.obj", vertices + "usemtl a\n" + face + "usemtl c\n" + face,
                "textured in parts");
   expect_error("no_uv.obj", vertices + "usemtl a\nf 1 2 3\n", "no texture coordinates");
+}
+
+TEST_F(BadMeshFile, IsPlyThatContradictsItsHeader) {
+  const std::string text = content_of(golden("box.ply")),
+                    binary = content_of(golden("box_binary.ply"));
+  const auto expect = [&](const std::string& content, const std::string& place,
+                          const std::string& words) {
+    expect_error_about(folder_.write("m.ply", content), "m.ply", words, place);
+  };
+  expect(replaced(text, "element vertex 8", "element vertex 9"), "line 22", "1 corners");
+  expect(replaced(text, "element face 6", "element face 7"), "line 27", "the file ends");
+  expect(replaced(text, "element face 6", "element face 5"), "line 26", "more values");
+  expect(replaced(text, "element face 6", "element face -6"), "line 10", "whole number");
+  expect(replaced(text, "element face 6", "element face 4000000000"), "line 27", "the file ends");
+  expect(replaced(binary, "element vertex 8", "element vertex 4000000000"), "byte 460",
+         "the file ends");
+  expect(binary + "!", "byte 451", "more values");
+  expect(replaced(text, "20 30 40 255", "20 30 40 256"), "line 20", "its type, uchar");
+  expect(replaced(text, "20 30 40 255", "20 30 inf 255"), "line 20", "'inf'");
+  expect(replaced(text, "property float z", "property float w"), "header", "x, y and z");
+  expect(replaced(text, "property float z", "property real z"), "line 6", "'real' is no type");
+  expect(replaced(text, "vertex_indices", "indices"), "header", "vertex_indices");
+  expect(replaced(text, "ascii", "base64"), "line 2", "'base64' is no format");
+  expect(replaced(text, "end_header", ""), "line 13", "'-20' is unknown");
+  expect(replaced(text, "4 0 4 6 2", "2 0 4"), "line 21", "2 corners");
+  expect(replaced(text, "ply\n", "ply\ncomment TextureFile box.png\n"), "header",
+         "no texture coordinates");
+}
+
+TEST_F(BadMeshFile, IsMalformedGltf) {
+  const std::string binary = content_of(golden("box.glb")), text = content_of(golden("box.gltf"));
+  const auto expect = [&](const std::string& name, const std::string& content,
+                          const std::string& place, const std::string& words) {
+    expect_error_about(folder_.write(name, content), name, words, place);
+  };
+  std::string old = binary;
+  old[4] = 1;
+  expect("m.glb", old, "byte 4", "version should be 2");
+  expect("m.glb", binary + "!", "byte 8", "should have 2484 bytes, but has 2485");
+  expect("m.glb", replaced(binary, "JSON", "TEXT"), "byte 12", "first chunk should be JSON");
+  expect("m.glb", replaced(binary, "\"asset\":", "\"asset\";"), "byte 29", "no valid JSON");
+  expect("m.gltf", replaced(text, "\"asset\"", "\"basset\""), "byte 0", "asset.version is missing");
+  expect("m.gltf", replaced(text, "\"2.0\"", "1e999"), "byte 0", "out of range");
+  expect("m.gltf", "[]", "byte 0", "no glTF");
+  expect("m.gltf", std::string(100'000, '['), "byte 0", "nested too deeply");
+}
+
+TEST_F(BadMeshFile, IsMalformedStl) {
+  const std::string text = content_of(golden("box.stl")),
+                    binary = content_of(golden("box_binary.stl"));
+  const auto expect = [&](const std::string& content, const std::string& place,
+                          const std::string& words) {
+    expect_error_about(folder_.write("m.stl", content), "m.stl", words, place);
+  };
+  expect(replaced(text, "vertex", "vortex"), "line 4", "'vortex' should be 'vertex'");
+  expect(replaced(text, "vertex -20", "vertex -2o"), "line 4", "'-2o'");
+  expect(replaced(text, "endsolid box", ""), "line 87", "the file ends where 'endsolid'");
+  expect(text + "more", "line 87", "'more' should be 'solid'");
+  expect(binary + "!", "", "is no STL model");
+  expect("solid" + binary.substr(5, 600), "line 1", "should be 'solid'");
+  std::string infinite = binary;
+  infinite.replace(84 + 12, 4, std::string("\0\0\x80\x7F", 4));
+  expect(infinite, "byte 84", "not finite");
 }
 
 TEST_F(BadMeshFile, HasAMatrixOfAnotherShape) {

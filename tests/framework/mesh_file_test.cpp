@@ -87,6 +87,48 @@ TEST(MeshFile, ReadsPlyWithVertexColours) {
   }
 }
 
+TEST(MeshFile, ReadsPlyWithNormalsAndATexture) {
+  TemporaryFolder folder;
+  folder.copy_golden("box.png");
+  const std::string header =
+      "ply\nformat ascii 1.0\ncomment TextureFile box.png\nobj_info x\nelement vertex 3\n"
+      "property double x\nproperty double y\nproperty double z\n"
+      "property float nx\nproperty float ny\nproperty float nz\n";
+  const auto per_vertex = folder.write(
+      "vertex.ply", header +
+                        "property float texture_u\nproperty float texture_v\nelement face 1\n"
+                        "property list uchar uint vertex_index\nelement camera 1\n"
+                        "property float focal\nend_header\n"
+                        "0 0 0 0 0 2 0 0\n50 0 0 0 0 2 1 0\n0 50 0 0 0 2 0 0.25\n3 0 1 2\n35\n");
+  const auto per_corner = folder.write(
+      "corner.ply", header +
+                        "element face 1\nproperty list uchar int vertex_indices\n"
+                        "property list uchar float texcoord\nend_header\n"
+                        "0 0 0 0 0 2\n50 0 0 0 0 2\n0 50 0 0 0 2\n3 0 1 2 6 0 0 1 0 0 0.25\n");
+  for (const auto& path : {per_vertex, per_corner}) {
+    SCOPED_TRACE(path);
+    const TriangleMesh mesh = load_mesh(path);
+    EXPECT_TRUE(mesh.has_texture());
+    ASSERT_EQ(mesh.vertices().size(), 3U);
+    EXPECT_EQ(mesh.vertices()[1].uv, Eigen::Vector2f(1, 1));
+    EXPECT_EQ(mesh.vertices()[2].uv, Eigen::Vector2f(0, 0.75F)) << "v from the top";
+    EXPECT_EQ(mesh.vertices()[2].normal, Eigen::Vector3f::UnitZ());
+    expect_albedo(mesh, {1, 1, 1});
+  }
+}
+
+TEST(MeshFile, ReadsPlyWithTheHighByteFirst) {
+  TemporaryFolder folder;
+  const auto path = folder.write(
+      "big.ply",
+      "ply\nformat binary_big_endian 1.0\nelement vertex 3\nproperty short x\nproperty short y\n"
+      "property int8 z\nelement face 1\nproperty list ushort uchar vertex_indices\nend_header\n" +
+          std::string("\0\0\0\0\0\x01\x2C\0\0\0\0\0\0\x32\xFF\0\x03\0\x01\x02", 20));
+  const TriangleMesh mesh = load_mesh(path);
+  EXPECT_EQ(mesh.min_corner_mm(), Eigen::Vector3f(0, 0, -1));
+  EXPECT_EQ(mesh.max_corner_mm(), Eigen::Vector3f(300, 50, 0));
+}
+
 TEST(MeshFile, ReadsStlAsTextAndBinary) {
   for (const char* name : {"box.stl", "box_binary.stl"}) {
     SCOPED_TRACE(name);
@@ -120,7 +162,8 @@ TEST(MeshFile, KeepsSmoothNormalsOfTheFile) {
   TemporaryFolder folder;
   const auto path =
       folder.write("tent.obj", "v 0 0 0\nv 50 0 0\nv 0 50 0\nvn 0 0.6 0.8\nf 1//1 2//1 3//1\n");
-  for (const MeshVertex& v : load_mesh(path).vertices()) {
+  const TriangleMesh mesh = load_mesh(path);
+  for (const MeshVertex& v : mesh.vertices()) {
     EXPECT_TRUE(v.normal.isApprox(Eigen::Vector3f(0, 0.6F, 0.8F)));
   }
 }

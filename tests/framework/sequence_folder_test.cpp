@@ -155,7 +155,7 @@ TEST_F(SymmetryFile, RejectsWhatIsNoJsonObject) {
   const auto missing = folder_.path() / "missing.json";
   expect_file_error([&] { load_symmetry(missing); }, missing, "", "does not exist");
   expect_error("", "byte 1", "no valid JSON");
-  expect_error("{\"symmetry\": [1, 2", "byte 18", "no valid JSON");
+  expect_error("{\"symmetry\": [1, 2", "byte 19", "no valid JSON");
   expect_error("{\"symmetry\": [1e999, 0, 0]}", "", "out of range");
   expect_error("[1, 0, 0]", "", "JSON object");
   expect_error(std::string(100'000, '['), "byte 100001", "no valid JSON");

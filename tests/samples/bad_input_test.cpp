@@ -39,7 +39,13 @@ class BadInput : public ToolTest {
 TEST_F(BadInput, ModelIsNamed) { expect_damage_is_named("model.obj"); }
 TEST_F(BadInput, CameraIsNamed) { expect_damage_is_named("camera.yml"); }
 TEST_F(BadInput, GroundTruthIsNamed) { expect_damage_is_named("groundtruth.csv"); }
-TEST_F(BadInput, FirstImageIsNamed) { expect_damage_is_named("frame_0000.jpg"); }
+
+TEST_F(BadInput, FirstImageIsNamed) {
+  for (const std::string& content : {std::string(), std::string(200, '\xC3')}) {
+    write("sequence/frame_0000.jpg", content);
+    expect_failure("", {"frame_0000.jpg"});
+  }
+}
 
 TEST_F(BadInput, TruncatedFilesAreNamed) {
   for (const char* file : {"camera.yml", "frame_0000.jpg"}) {

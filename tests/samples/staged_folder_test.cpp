@@ -43,7 +43,7 @@ TEST_F(StagedFolderTest, AppearsWholeOnCommit) {
 }
 
 TEST_F(StagedFolderTest, LeavesNothingWithoutCommit) {
-  { StagedFolder(target_); }
+  { const StagedFolder folder(target_); }
   EXPECT_TRUE(fs::is_empty(parent_));
 }
 

@@ -184,26 +184,27 @@ TEST_F(Track, TracksASimulationWithoutFiles) {
 
 #ifndef _WIN32
 TEST_F(Track, KeepsThePosesSoFarWhenInterrupted) {
-  fs::current_path(scratch_);
+  const std::string poses = (scratch_ / "p.csv").string();
+  const std::string errors = (scratch_ / "err.txt").string();
   const pid_t child = fork();
   if (child == 0) {
-    std::freopen("err.txt", "w", stderr);
+    std::freopen(errors.c_str(), "w", stderr);
     execl(ANNEAL6D_TOOL, "anneal6d", "track", sequence_.c_str(), "--particles", "2000", "--layers",
-          "10", "--poses", "p.csv", static_cast<char*>(nullptr));
+          "10", "--poses", poses.c_str(), static_cast<char*>(nullptr));
     _exit(127);
   }
   // The poses' temporary file tells that tracking begins.
-  for (int i = 0; i < 600 && !fs::exists("p.csv.part"); ++i) {
+  for (int i = 0; i < 600 && !fs::exists(poses + ".part"); ++i) {
     std::this_thread::sleep_for(std::chrono::milliseconds(50));
   }
   kill(child, SIGINT);
   int result = 0;
   ASSERT_EQ(waitpid(child, &result, 0), child);
-  const std::string err = ::testing::PrintToString(lines_of("err.txt"));
+  const std::string err = ::testing::PrintToString(lines_of(errors));
   ASSERT_TRUE(WIFEXITED(result)) << err;
   EXPECT_EQ(WEXITSTATUS(result), 0) << err;
   EXPECT_NE(err.find("interrupted"), std::string::npos) << err;
-  const std::size_t lines = lines_of("p.csv").size();
+  const std::size_t lines = lines_of(poses).size();
   EXPECT_GE(lines, 2U);  // header and first frame
   EXPECT_LT(lines, 21U) << "it ended before the signal came";
 }

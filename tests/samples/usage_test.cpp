@@ -32,7 +32,7 @@ TEST_F(Usage, HelpOfTrackNamesEveryOptionOfTheContract) {
 
 TEST_F(Usage, WrongUsageIsStatusTwoWithAMessage) {
   expect_refused("", 2, {"subcommand"});
-  expect_refused("fly", 2, {"fly"});
+  expect_refused("fly", 2, {"fly", "track", "evaluate", "simulate", "list"});
   expect_refused("track", 2, {"INPUT"});
   expect_refused("evaluate", 2, {"SEQUENCE"});
   expect_refused("simulate out", 2, {"--model"});

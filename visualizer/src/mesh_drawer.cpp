@@ -3,8 +3,8 @@
 #include "mesh_drawer.h"
 
 #include <algorithm>
+#include <cstddef>
 #include <string>
-#include <type_traits>
 
 #include "anneal6d/framework/error.h"
 

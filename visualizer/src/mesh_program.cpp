@@ -22,9 +22,9 @@ uniform vec3 to_light;
 uniform float ambient;
 uniform float diffuse;
 
-// color * w, interpolated perspectively and divided by w at the pixel, is linear in the image. That is
-// what `noperspective` stands for, but Mesa (22.3) is several grey levels off with it in triangles
-// that it clips at the image's border.
+// color * w, interpolated perspectively and divided by w at the pixel, is linear in the image. That
+// is what `noperspective` stands for, but with it Mesa (22.3) is several grey levels off in large
+// triangles that it clips at the image's border.
 out Corner {
   vec3 color_w;
   vec2 uv;
@@ -131,14 +131,6 @@ void link(const GlProgram& program) {
 }
 
 }  // namespace
-
-void check_gl(const char* doing) {
-  const GLenum error = glGetError();
-  if (error == GL_NO_ERROR) return;
-  throw GraphicsError(
-      std::string("OpenGL failed while ") + doing +
-      (error == GL_OUT_OF_MEMORY ? ": out of memory" : ": error " + std::to_string(error)));
-}
 
 MeshProgram::MeshProgram(bool clips) : program_(glCreateProgram()) {
   attach(program_, GL_VERTEX_SHADER, kVertexShader);

@@ -57,7 +57,8 @@ class PictureWriter::FolderSink final : public Sink {
   explicit FolderSink(fs::path folder) : folder_(std::move(folder)) {
     std::error_code failure;
     fs::create_directories(folder_, failure);
-    if (failure || !fs::is_directory(folder_)) {
+    std::error_code ignored;
+    if (failure || !fs::is_directory(folder_, ignored)) {
       throw FileError(folder_, "",
                       "cannot be made a folder for pictures" +
                           (failure ? ": " + failure.message() : std::string()));
@@ -65,7 +66,7 @@ class PictureWriter::FolderSink final : public Sink {
     // Finds out now, not after the first frame was tracked, that nothing can be written here.
     const fs::path probe = folder_ / "overlay.part";
     write_file_atomically(probe, "");
-    fs::remove(probe, failure);
+    fs::remove(probe, ignored);
   }
 
   void write(const cv::Mat& picture_bgr, std::int64_t frame) override {
@@ -93,7 +94,8 @@ class PictureWriter::VideoSink final : public Sink {
                    (path_.stem().string() + ".part" + path_.extension().string())),
         codec_(codec),
         frames_per_second_(frames_per_second) {
-    if (fs::is_directory(path_)) {
+    std::error_code ignored;
+    if (fs::is_directory(path_, ignored)) {
       throw FileError(path_, "", "is a folder; a video needs a file name that is free");
     }
     // OpenCV opens the file when the size of the pictures is known; ask the system now.

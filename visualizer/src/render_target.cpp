@@ -79,11 +79,11 @@ void RenderTarget::begin(bool with_depth) const {
 }
 
 void RenderTarget::read_color(cv::Mat& color_bgr) {
-  color_bgra_.create(size_px_, CV_8UC4);
+  color_rgba_.create(size_px_, CV_8UC4);
   glReadBuffer(GL_COLOR_ATTACHMENT0);
   glPixelStorei(GL_PACK_ALIGNMENT, 4);
-  glReadPixels(0, 0, size_px_.width, size_px_.height, GL_BGRA, GL_UNSIGNED_BYTE, color_bgra_.data);
-  cv::cvtColor(color_bgra_, color_bgr, cv::COLOR_BGRA2BGR);
+  glReadPixels(0, 0, size_px_.width, size_px_.height, GL_RGBA, GL_UNSIGNED_BYTE, color_rgba_.data);
+  cv::cvtColor(color_rgba_, color_bgr, cv::COLOR_RGBA2BGR);
 }
 
 void RenderTarget::read_depth(cv::Mat& depth_mm) const {

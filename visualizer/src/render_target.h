@@ -27,7 +27,7 @@ class RenderTarget {
   cv::Size size_px_;
   GlRenderbuffer color_, depth_mm_, depth_test_;
   GlFramebuffer color_only_, color_and_depth_;
-  cv::Mat color_bgra_;  // the driver's own layout, for which reading is a plain copy
+  cv::Mat color_rgba_;  // the driver's own layout, for which reading is a plain copy
 };
 
 }  // namespace anneal6d

@@ -9,6 +9,7 @@
 #include <limits>
 #include <opencv2/imgproc.hpp>
 
+#include "anneal6d/framework/srgb.h"
 #include "twist.h"
 
 namespace anneal6d {
@@ -25,44 +26,35 @@ constexpr std::size_t kFewestPoints = 8;
 
 double square(double x) { return x * x; }
 
-// Cameras mix light within a pixel and encode it afterwards. On the encoded values an edge seems to lie
-// some tenths of a pixel on the dark side of where it is, which makes bright objects large and near.
-// So edges are found by the contrast of encoded values, as people see it, but located in linear light.
-constexpr int kLightLevels = 65535;
-constexpr int kEncodedSteps = 4096;
-
-double decoded_srgb(double encoded) {  // both 0..1
-  return encoded <= 0.04045 ? encoded / 12.92 : std::pow((encoded + 0.055) / 1.055, 2.4);
-}
-
-double encoded_srgb(double light) {  // both 0..1
-  return light <= 0.0031308 ? 12.92 * light : 1.055 * std::pow(light, 1.0 / 2.4) - 0.055;
-}
-
-const std::array<std::uint16_t, 256>& light_table() {
-  static const auto table = [] {
-    std::array<std::uint16_t, 256> values{};
-    for (std::size_t i = 0; i < values.size(); ++i) {
-      values[i] = static_cast<std::uint16_t>(
-          std::lround(kLightLevels * decoded_srgb(static_cast<double>(i) / 255.0)));
+/// Cameras mix light within a pixel and encode the mixture afterwards, so that the slope of grey
+/// levels across a step from level a to level b is centred off the step, on its dark side, by up to
+/// 0.19 px: bright objects look large and near. For a pixel that mixes evenly, integration by parts
+/// gives the offset (mean(a, b) - mean level over the mixtures) / (b - a), counted from a towards
+/// b.
+class EncodingBias {
+ public:
+  EncodingBias() : light_(srgb_light_table()) {
+    // Integral of the encoded value over light, by trapezoids between grey levels.
+    for (std::size_t i = 1; i < integral_.size(); ++i) {
+      const double middle = (static_cast<double>(i) - 0.5) / 255.0;
+      integral_[i] = integral_[i - 1] + middle * (light_[i] - light_[i - 1]);
     }
-    return values;
-  }();
-  return table;
-}
+  }
 
-/// Grey levels 0..255 of linear light 0..kLightLevels.
-double grey_level(double light) {
-  static const auto table = [] {
-    std::array<float, kEncodedSteps + 1> values{};
-    for (std::size_t i = 0; i < values.size(); ++i) {
-      values[i] =
-          static_cast<float>(255.0 * encoded_srgb(static_cast<double>(i) / kEncodedSteps));
-    }
-    return values;
-  }();
-  return table[static_cast<std::size_t>(light * (static_cast<double>(kEncodedSteps) / kLightLevels))];
-}
+  /// In pixels; `a` and `b` in grey levels.
+  double operator()(double a, double b) const {
+    const auto i = static_cast<std::size_t>(std::clamp(std::lround(a), 0L, 255L));
+    const auto j = static_cast<std::size_t>(std::clamp(std::lround(b), 0L, 255L));
+    if (i == j) return 0.0;
+    const double mean_level = (integral_[j] - integral_[i]) / (light_[j] - light_[i]);
+    const double low = static_cast<double>(i) / 255.0, high = static_cast<double>(j) / 255.0;
+    return (0.5 * (low + high) - mean_level) / (high - low);
+  }
+
+ private:
+  std::array<float, 256> light_;
+  std::array<double, 256> integral_{};
+};
 
 }  // namespace
 
@@ -88,15 +80,7 @@ void Refiner::set_image(const cv::Mat& image, const Pose& expected_camera_from_o
   }
   window_ = window;
   if (window_.empty()) return;
-  const cv::Mat encoded = image(window_);
-  linear_.create(encoded.size(), CV_16UC(encoded.channels()));
-  const auto& table = light_table();
-  for (int row = 0; row < encoded.rows; ++row) {
-    const auto* const from = encoded.ptr<std::uint8_t>(row);
-    auto* const to = linear_.ptr<std::uint16_t>(row);
-    for (int i = 0; i < encoded.cols * encoded.channels(); ++i) to[i] = table[from[i]];
-  }
-  cv::GaussianBlur(linear_, smooth_, {}, kBlurSigma_px, kBlurSigma_px, cv::BORDER_REPLICATE);
+  cv::GaussianBlur(image(window_), smooth_, {}, kBlurSigma_px, kBlurSigma_px, cv::BORDER_REPLICATE);
 }
 
 void Refiner::see(const Pose& camera_from_object) {
@@ -110,58 +94,57 @@ void Refiner::see(const Pose& camera_from_object) {
 
 Refiner::Observation Refiner::observe(const Eigen::Vector2d& image_px,
                                       const Eigen::Vector2d& normal, int reach_px) const {
-  // The image along the normal at whole steps: light, and squared slopes of light and of grey levels,
-  // summed over the channels.
-  constexpr int kLongest = 2 * kMaxReach_px + 5;
+  // The image along the normal at whole steps: grey levels of each channel, and their slopes'
+  // length.
+  constexpr int kMargin = 3;
+  constexpr int kLongest = 2 * (kMaxReach_px + kMargin) + 1;
   const int channels = smooth_.channels();
-  const int last = 2 * reach_px + 4;
-  std::array<std::array<double, kLongest>, 3> light, grey;
+  const int middle = reach_px + kMargin, last = 2 * middle;
+  std::array<std::array<double, kLongest>, 3> grey;
   for (int i = 0; i <= last; ++i) {
-    const Eigen::Vector2d p = image_px + (i - reach_px - 2) * normal;
+    const Eigen::Vector2d p = image_px + (i - middle) * normal;
     const double x = std::clamp(p.x() - window_.x, 0.0, smooth_.cols - 1.001);
     const double y = std::clamp(p.y() - window_.y, 0.0, smooth_.rows - 1.001);
     const int column = static_cast<int>(x), row = static_cast<int>(y);
     const double fx = x - column, fy = y - row;
-    const auto* const upper = smooth_.ptr<std::uint16_t>(row) + column * channels;
-    const auto* const lower = smooth_.ptr<std::uint16_t>(row + 1) + column * channels;
+    const auto* const upper = smooth_.ptr<std::uint8_t>(row) + column * channels;
+    const auto* const lower = smooth_.ptr<std::uint8_t>(row + 1) + column * channels;
     for (int c = 0; c < channels; ++c) {
-      light[c][i] = (1 - fy) * ((1 - fx) * upper[c] + fx * upper[c + channels]) +
-                    fy * ((1 - fx) * lower[c] + fx * lower[c + channels]);
-      grey[c][i] = grey_level(light[c][i]);
+      grey[c][i] = (1 - fy) * ((1 - fx) * upper[c] + fx * upper[c + channels]) +
+                   fy * ((1 - fx) * lower[c] + fx * lower[c + channels]);
     }
   }
-  std::array<double, kLongest> light_slope, slope;
+  std::array<double, kLongest> slope;
   for (int i = 1; i < last; ++i) {
-    double light_sum = 0, grey_sum = 0;
-    for (int c = 0; c < channels; ++c) {
-      light_sum += square(light[c][i + 1] - light[c][i - 1]);
-      grey_sum += square(0.5 * (grey[c][i + 1] - grey[c][i - 1]));
-    }
-    light_slope[i] = std::sqrt(light_sum);
-    slope[i] = std::sqrt(grey_sum);
+    double sum = 0;
+    for (int c = 0; c < channels; ++c) sum += square(0.5 * (grey[c][i + 1] - grey[c][i - 1]));
+    slope[i] = std::sqrt(sum);
   }
 
-  Observation best{std::numeric_limits<double>::quiet_NaN(), 0};
+  int best = -1;
   double best_score = 0;
-  for (int i = 2; i <= last - 2; ++i) {
+  for (int i = kMargin; i <= last - kMargin; ++i) {
     if (slope[i] < kFaintest || slope[i] < slope[i - 1] || slope[i] <= slope[i + 1]) continue;
-    // The light's slope peaks at the same step or at a neighbour.
-    int peak = i;
-    if (light_slope[i - 1] > light_slope[peak] && i > 2) peak = i - 1;
-    if (light_slope[i + 1] > light_slope[peak] && i < last - 2) peak = i + 1;
-    const double before = light_slope[peak - 1], after = light_slope[peak + 1];
-    const double curvature = before - 2 * light_slope[peak] + after;
-    const double between = curvature < 0 ? 0.5 * (before - after) / curvature : 0.0;
-    const double offset_px = peak - reach_px - 2 + std::clamp(between, -1.0, 1.0);
     // Prefer strong edges, but near ones more.
     const double score =
-        slope[i] / (slope[i] + kHalfStrength) * std::exp(-square(offset_px / (0.6 * reach_px)));
+        slope[i] / (slope[i] + kHalfStrength) * std::exp(-square((i - middle) / (0.6 * reach_px)));
     if (score > best_score) {
       best_score = score;
-      best = {offset_px, slope[i]};
+      best = i;
     }
   }
-  return best;
+  if (best < 0) return {std::numeric_limits<double>::quiet_NaN(), 0};
+
+  static const EncodingBias encoding_bias;
+  const auto rise = [&](int c) { return std::abs(grey[c][best + 2] - grey[c][best - 2]); };
+  int channel = 0;  // the one with the most contrast
+  for (int c = 1; c < channels; ++c) {
+    if (rise(c) > rise(channel)) channel = c;
+  }
+  const double before = slope[best - 1], after = slope[best + 1];
+  const double between = 0.5 * (before - after) / (before - 2 * slope[best] + after);
+  const double bias = encoding_bias(grey[channel][best - 2], grey[channel][best + 2]);
+  return {best - middle + between - bias, slope[best]};
 }
 
 double Refiner::step(Pose& camera_from_object, double reach_px) {

@@ -51,7 +51,7 @@ class Refiner {
   CameraModel camera_;
   Rasterizer rasterizer_;
   ContourExtractor contour_;
-  cv::Mat linear_, smooth_;  ///< the frame's linear light in `window_`, 16 bits; blurred
+  cv::Mat smooth_;  ///< the frame in `window_`, blurred
   cv::Rect window_;
   cv::Mat grey_, depth_mm_;
   std::vector<ContourPoint> points_;

@@ -38,7 +38,7 @@ struct SimulationOptions {
   /// obliquely from above, so far away that its diameter covers 40 % of the image's height.
   std::optional<Pose> start;
 
-  /// [background] "none": uniform grey; "clutter": boxes, discs, lines and gradients drawn by seed;
+  /// [background] "none": black, as in the thesis; "clutter": boxes, discs, lines and gradients drawn by seed;
   /// anything else: an image file, scaled and cut to fill the frame.
   std::string background = "none";
   SimulatedLight light = SimulatedLight::fixed;  ///< [light] fixed, moving, changing

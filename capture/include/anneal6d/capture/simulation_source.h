@@ -54,15 +54,15 @@ class SimulationSource : public FrameSource {
   SimulationOptions options_;
   std::unique_ptr<ObjectRenderer> renderer_;  // of the supersampled camera, without distortion
   std::vector<Pose> trajectory_;
-  cv::Mat background_;             // CV_8UC3
+  cv::Mat background_;             // CV_32FC3, linear light
   cv::Mat distort_x_, distort_y_;  // undistorted pixel of each distorted one; empty: no distortion
   double occluder_radius_px_ = 0;
   std::int64_t position_ = 0;
 
   // Of the frame being drawn; kept for their memory.
-  cv::Mat dense_color_, dense_depth_, dense_coverage_;
-  cv::Mat color_, coverage_;            // CV_32FC3 premultiplied, CV_32FC1 in 0..1
-  cv::Mat view_color_, view_coverage_;  // of one exposure, CV_8U
+  cv::Mat dense_color_, dense_depth_, dense_coverage_, dense_light_;
+  cv::Mat color_, coverage_;            // linear light CV_32FC3 premultiplied, CV_32FC1 in 0..1
+  cv::Mat view_light_, view_coverage_;  // of one exposure, CV_32FC3, CV_8U
   cv::Mat scratch_color_, scratch_coverage_;
 };
 

@@ -1,0 +1,32 @@
+// SPDX-License-Identifier: BSD-3-Clause
+// Copyright (c) 2026 The Anneal6D authors
+#include "anneal6d/framework/annealing.h"
+
+#include <gtest/gtest.h>
+
+namespace anneal6d {
+namespace {
+
+TEST(Annealing, StartsAtFullNoise) {
+  EXPECT_EQ(annealing_factor(AnnealingRule::thesis, 0, 0.9, 0.5), 1.0);
+  EXPECT_EQ(annealing_factor(AnnealingRule::geometric, 0, 0.9, 0.5), 1.0);
+}
+
+TEST(Annealing, ScalesTheVarianceByWhatTheScoreLeavesInThesisMode) {
+  EXPECT_DOUBLE_EQ(annealing_factor(AnnealingRule::thesis, 1, 0.75, 1.0), 0.5);
+  EXPECT_DOUBLE_EQ(annealing_factor(AnnealingRule::thesis, 4, 0.0, 1.0), 1.0);
+  EXPECT_DOUBLE_EQ(annealing_factor(AnnealingRule::thesis, 2, 1.0, 1.0), 0.0);
+}
+
+TEST(Annealing, TakesScoresOutsideTheirRangeAsItsEnds) {
+  EXPECT_EQ(annealing_factor(AnnealingRule::thesis, 1, 1.0 + 1e-12, 1.0), 0.0);
+  EXPECT_EQ(annealing_factor(AnnealingRule::thesis, 1, -0.1, 1.0), 1.0);
+}
+
+TEST(Annealing, NarrowsGeometricallyWhateverTheScore) {
+  EXPECT_DOUBLE_EQ(annealing_factor(AnnealingRule::geometric, 1, 0.9, 0.5), 0.5);
+  EXPECT_DOUBLE_EQ(annealing_factor(AnnealingRule::geometric, 3, 0.1, 0.5), 0.125);
+}
+
+}  // namespace
+}  // namespace anneal6d
