@@ -24,13 +24,25 @@ constexpr double kSilhouetteProbe_px = 1.5;
 // Edges between these distances disturb each other; nearer ones are parts of one zigzag.
 constexpr double kCrowdedFrom_px = 1.3;
 constexpr double kCrowdedTo_px = 4.0;
-constexpr int kTextureGradient = 60;  // Sobel response of a texture edge worth following
+constexpr int kTextureGradient = 30;  // Sobel response of a texture edge worth following
 
 float depth_at(const ContourExtractor::View& view, int x, int y) {
   x -= view.region.x;
   y -= view.region.y;
   if (x < 0 || y < 0 || x >= view.region.width || y >= view.region.height) return 0.0F;
   return view.depth_mm.at<float>(y, x);
+}
+
+/// Whether the surface around a pixel ends or bends by more than `tolerance_mm`.
+bool near_depth_edge(const cv::Mat& depth_mm, int x, int y, double tolerance_mm) {
+  const float here = depth_mm.at<float>(y, x);
+  for (const auto& [dx, dy] : {std::pair{2, 0}, {0, 2}, {2, 2}, {2, -2}}) {
+    const float before = depth_mm.at<float>(y - dy, x - dx);
+    const float after = depth_mm.at<float>(y + dy, x + dx);
+    if (here == 0.0F || before == 0.0F || after == 0.0F) return true;
+    if (std::abs(before + after - 2 * here) > tolerance_mm) return true;
+  }
+  return false;
 }
 
 bool inside_image(const Eigen::Vector2d& p, const CameraModel& camera) {
@@ -110,9 +122,8 @@ void ContourExtractor::extract(const View& view, double spacing_px, bool texture
 }
 
 bool ContourExtractor::is_crowded(const ContourPoint& point, const View& view) const {
-  const Eigen::Vector2d image_px =
-      view.camera.project(view.camera_from_object * point.object_mm) -
-      Eigen::Vector2d(view.region.x, view.region.y);
+  const Eigen::Vector2d image_px = view.camera.project(view.camera_from_object * point.object_mm) -
+                                   Eigen::Vector2d(view.region.x, view.region.y);
   for (double distance = kCrowdedFrom_px; distance <= kCrowdedTo_px; distance += 0.45) {
     for (const double side : {-distance, distance}) {
       const Eigen::Vector2d p = image_px + side * point.normal;
@@ -205,15 +216,7 @@ void ContourExtractor::add_texture_edges(const View& view, double spacing_px,
       const double here = magnitude(x, y);
       if (here < kTextureGradient) continue;
       // Next to a depth edge the picture shows the silhouette, which the mesh gives better.
-      float nearest = 1e9F, farthest = 0;
-      for (int dy = -2; dy <= 2; ++dy) {
-        for (int dx = -2; dx <= 2; ++dx) {
-          const float depth = view.depth_mm.at<float>(y + dy, x + dx);
-          nearest = std::min(nearest, depth);
-          farthest = std::max(farthest, depth);
-        }
-      }
-      if (nearest == 0.0F || farthest - nearest > kSilhouetteDepth * diameter_mm_) continue;
+      if (near_depth_edge(view.depth_mm, x, y, kSilhouetteDepth * diameter_mm_)) continue;
 
       const Eigen::Vector2d normal = Eigen::Vector2d(gx.at<short>(y, x), gy.at<short>(y, x)) / here;
       // Ridge of the gradient along the stronger axis, then its place between pixels.

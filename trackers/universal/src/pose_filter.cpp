@@ -38,6 +38,13 @@ void PoseFilter::measure(std::span<const Pose> states, std::span<double> log_lik
   for (std::size_t i = 0; i < states.size(); ++i) camera_from_object_[i] = to_object(states[i]);
   scorer_.score(camera_from_object_, matches_);
   rate(rating_, matches_, log_likelihoods);
+  if (layer_.expectation > 0) {
+    for (std::size_t i = 0; i < states.size(); ++i) {
+      const Twist deviation =
+          twist_between(layer_.expected, states[i]).cwiseQuotient(layer_.expected_sigma);
+      log_likelihoods[i] -= 0.5 * layer_.expectation * deviation.squaredNorm();
+    }
+  }
   if (layer_.survival_rate > 0) {
     const double beta = annealing_exponent(log_likelihoods, layer_.survival_rate);
     for (double& value : log_likelihoods) value *= beta;

@@ -24,6 +24,12 @@ class PoseFilter final : public ParticleFilter<Pose> {
     Eigen::Matrix<double, 6, 6> diffusion = Eigen::Matrix<double, 6, 6>::Zero();
     /// Takes the place of the first particle, as it is: the best that is known so far.
     std::optional<Pose> incumbent;
+    /// What the motion model expects: deviations of `expected_sigma` cost `expectation` times half
+    /// their squares in logarithmic likelihood. Annealing alone would forget where the layers
+    /// began.
+    Pose expected;
+    Twist expected_sigma = Twist::Ones();
+    double expectation = 0;
     /// Share of particles to stay effective, by raising the weights to a power (Deutscher et al.
     /// 2000); 0: weights as rated.
     double survival_rate = 0;

@@ -10,7 +10,6 @@
 #include <opencv2/imgproc.hpp>
 
 #include "anneal6d/framework/srgb.h"
-#include "twist.h"
 
 namespace anneal6d {
 namespace {
@@ -18,10 +17,13 @@ namespace {
 constexpr double kSpacing_px = 3.0;
 constexpr double kBlurSigma_px = 1.0;
 constexpr int kMaxReach_px = 32;
-constexpr double kFaintest = 2.5;       // grey levels a pixel: weaker slopes are no edge
-constexpr double kHalfStrength = 10.0;  // slope at which an edge counts half of a strong one
-constexpr double kCrowdedTrust = 0.1;
+constexpr double kFaintest = 2.5;      // grey levels a pixel: weaker slopes are no edge
+constexpr double kHalfStrength = 4.0;  // slope at which an edge counts half of a strong one
+constexpr int kCrowdedReach_px = 2;
+constexpr double kCrowdedTrust = 0.5;
+constexpr double kBlindTrust = 0.1;
 constexpr double kSupport_px = 2.0;
+constexpr double kStartWeight_px2 = 2.0;  // variance of an edge's place, errors of neighbours alike
 constexpr std::size_t kFewestPoints = 8;
 
 double square(double x) { return x * x; }
@@ -84,31 +86,47 @@ void Refiner::set_image(const cv::Mat& image, const Pose& expected_camera_from_o
 }
 
 void Refiner::see(const Pose& camera_from_object) {
-  points_.clear();
-  const Region region = rasterizer_.draw(camera_from_object, 4);
+  targets_.clear();
+  const Region region = rasterizer_.draw(camera_from_object, 8);
   if (region.empty()) return;
   rasterizer_.take_images(grey_, depth_mm_);
   contour_.extract({camera_from_object, camera_, region, grey_, depth_mm_}, kSpacing_px,
                    !model_.textures.empty(), points_);
+  cv::GaussianBlur(grey_, smooth_grey_, {}, kBlurSigma_px, kBlurSigma_px, cv::BORDER_REPLICATE);
+  for (const ContourPoint& point : points_) {
+    Target target{point, 0.0, 1.0};
+    if (point.crowded) {
+      // Blur pushes edges that run side by side apart; it does the same to the rendered picture.
+      const Observation rendered = observe({smooth_grey_, {region.x, region.y}},
+                                           camera_.project(camera_from_object * point.object_mm),
+                                           point.normal, kCrowdedReach_px, false);
+      const bool seen = std::abs(rendered.offset_px) < kCrowdedReach_px;  // false for NaN
+      target.bias_px = seen ? rendered.offset_px : 0.0;
+      target.trust = seen ? kCrowdedTrust : kBlindTrust;
+    }
+    targets_.push_back(target);
+  }
 }
 
-Refiner::Observation Refiner::observe(const Eigen::Vector2d& image_px,
-                                      const Eigen::Vector2d& normal, int reach_px) const {
+Refiner::Observation Refiner::observe(const Picture& picture, const Eigen::Vector2d& image_px,
+                                      const Eigen::Vector2d& normal, int reach_px,
+                                      bool camera_encoded) {
   // The image along the normal at whole steps: grey levels of each channel, and their slopes'
   // length.
   constexpr int kMargin = 3;
   constexpr int kLongest = 2 * (kMaxReach_px + kMargin) + 1;
-  const int channels = smooth_.channels();
+  const cv::Mat& smooth = picture.smooth;
+  const int channels = smooth.channels();
   const int middle = reach_px + kMargin, last = 2 * middle;
   std::array<std::array<double, kLongest>, 3> grey;
   for (int i = 0; i <= last; ++i) {
     const Eigen::Vector2d p = image_px + (i - middle) * normal;
-    const double x = std::clamp(p.x() - window_.x, 0.0, smooth_.cols - 1.001);
-    const double y = std::clamp(p.y() - window_.y, 0.0, smooth_.rows - 1.001);
+    const double x = std::clamp(p.x() - picture.origin.x, 0.0, smooth.cols - 1.001);
+    const double y = std::clamp(p.y() - picture.origin.y, 0.0, smooth.rows - 1.001);
     const int column = static_cast<int>(x), row = static_cast<int>(y);
     const double fx = x - column, fy = y - row;
-    const auto* const upper = smooth_.ptr<std::uint8_t>(row) + column * channels;
-    const auto* const lower = smooth_.ptr<std::uint8_t>(row + 1) + column * channels;
+    const auto* const upper = smooth.ptr<std::uint8_t>(row) + column * channels;
+    const auto* const lower = smooth.ptr<std::uint8_t>(row + 1) + column * channels;
     for (int c = 0; c < channels; ++c) {
       grey[c][i] = (1 - fy) * ((1 - fx) * upper[c] + fx * upper[c + channels]) +
                    fy * ((1 - fx) * lower[c] + fx * lower[c + channels]);
@@ -143,6 +161,7 @@ Refiner::Observation Refiner::observe(const Eigen::Vector2d& image_px,
   }
   const double before = slope[best - 1], after = slope[best + 1];
   const double between = 0.5 * (before - after) / (before - 2 * slope[best] + after);
+  if (!camera_encoded) return {best - middle + between, slope[best]};
   const double bias = encoding_bias(grey[channel][best - 2], grey[channel][best + 2]);
   return {best - middle + between - bias, slope[best]};
 }
@@ -156,10 +175,12 @@ double Refiner::step(Pose& camera_from_object, double reach_px) {
   Eigen::Matrix<double, 6, 6> normal_matrix = Eigen::Matrix<double, 6, 6>::Zero();
   Twist right_side = Twist::Zero();
   int supported = 0;
-  for (const ContourPoint& point : points_) {
+  for (const auto& [point, bias_px, trust] : targets_) {
     const Eigen::Vector3d p = rotation * point.object_mm + camera_from_object.translation_mm;
     if (p.z() < kNearPlane_mm) continue;
-    const Observation seen = observe(camera_.project(p), point.normal, reach);
+    Observation seen =
+        observe({smooth_, window_.tl()}, camera_.project(p), point.normal, reach, true);
+    seen.offset_px -= bias_px;
     if (std::isnan(seen.offset_px) || std::abs(seen.offset_px) >= cutoff_px) continue;
     supported += std::abs(seen.offset_px) < kSupport_px;
 
@@ -173,41 +194,44 @@ double Refiner::step(Pose& camera_from_object, double reach_px) {
     jacobian << (p - center).cross(gradient.transpose()), gradient.transpose();
 
     const double tukey = square(1 - square(seen.offset_px / cutoff_px));
-    const double trust = point.crowded ? kCrowdedTrust : 1.0;
     const double weight = trust * tukey * seen.strength / (seen.strength + kHalfStrength);
     normal_matrix += weight * jacobian * jacobian.transpose();
     right_side += weight * seen.offset_px * jacobian;
   }
-  // Directions that no edge constrains (the turn of a bowl about its axis) stay as they are.
-  const double radius_mm = model_.mesh->radius_mm();
-  const double scale = 5e-4 * (normal_matrix(3, 3) + normal_matrix(4, 4)) + 1e-9;
-  for (int i = 0; i < 3; ++i) {
-    normal_matrix(i, i) += scale * square(radius_mm) * 0.3;
-    normal_matrix(i + 3, i + 3) += scale;
-  }
+  const Pose here = to_center(camera_from_object);
+  normal_matrix += Eigen::Matrix<double, 6, 6>(start_precision_.asDiagonal());
+  right_side += start_precision_.cwiseProduct(twist_between(here, start_center_));
   const Twist twist = normal_matrix.ldlt().solve(right_side);
   if (twist.allFinite()) {
-    const Pose centered = moved({camera_from_object.rotation, center}, twist);
+    const Pose centered = moved(here, twist);
     camera_from_object = {centered.rotation, centered * -model_.mesh->center_mm().cast<double>()};
   }
-  return points_.empty() ? 0.0
-                         : static_cast<double>(supported) / static_cast<double>(points_.size());
+  return targets_.empty() ? 0.0
+                          : static_cast<double>(supported) / static_cast<double>(targets_.size());
 }
 
-Refiner::Result Refiner::refine(const Pose& start_camera_from_object, double reach_px) {
+Pose Refiner::to_center(const Pose& camera_from_object) const {
+  return {camera_from_object.rotation,
+          camera_from_object * model_.mesh->center_mm().cast<double>()};
+}
+
+Refiner::Result Refiner::refine(const Pose& start_camera_from_object, double reach_px,
+                                const Twist& sigma) {
   Result result{start_camera_from_object, 0, 0};
+  start_center_ = to_center(start_camera_from_object);
+  start_precision_ = kStartWeight_px2 * sigma.cwiseProduct(sigma).cwiseInverse();
   if (window_.empty()) return result;
   Pose pose = start_camera_from_object;
   double reach = reach_px;
   for (int round = 0; round < 4; ++round) {
     see(pose);
-    if (points_.size() < kFewestPoints) return result;
+    if (targets_.size() < kFewestPoints) return result;
     for (int i = 0; i < 3; ++i) step(pose, reach);
     reach = std::max(2.5, 0.55 * reach);
   }
   see(pose);
-  if (points_.size() < kFewestPoints) return result;
-  result.points = static_cast<int>(points_.size());
+  if (targets_.size() < kFewestPoints) return result;
+  result.points = static_cast<int>(targets_.size());
   Pose last = pose;
   result.support = step(last, 2.5);
   result.camera_from_object = pose;

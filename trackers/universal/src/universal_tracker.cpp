@@ -20,6 +20,7 @@ namespace {
 constexpr double kDegree = std::numbers::pi / 180.0;
 constexpr double kSurvivalRate = 0.25;  // of particles, from layer to layer
 constexpr double kNarrowing = 0.6;      // of the particles' spread, from layer to layer
+constexpr double kExpectation = 0.1;    // weight of the motion model beside the edges
 constexpr double kLeastSpread_px = 0.15;
 constexpr double kReach_px = 8.0;  // of the refinement, around the filter's estimate
 constexpr double kLostQuality = 0.25;
@@ -117,13 +118,18 @@ class UniversalTracker final : public RigidObjectTracker {
   void estimate_by_default(TrackResult& result) {
     const Pose last = center_;
     const Twist drift = motion_.drift();
-    Eigen::Matrix<double, 6, 6> diffusion = motion_.sigma().asDiagonal();
-    Pose incumbent = moved(last, drift);
-    filter_.initialize(incumbent, static_cast<std::size_t>(options_.particles));
+    const Twist sigma = motion_.sigma();
+    Eigen::Matrix<double, 6, 6> diffusion = sigma.asDiagonal();
+    const Pose expected = moved(last, drift);
+    Pose incumbent = expected;
+    filter_.initialize(expected, static_cast<std::size_t>(options_.particles));
     for (int layer = 0; layer < options_.layers; ++layer) {
       PoseFilter::Layer step;
       step.diffusion = diffusion;
       step.incumbent = incumbent;
+      step.expected = expected;
+      step.expected_sigma = sigma;
+      step.expectation = kExpectation;
       step.survival_rate = kSurvivalRate;
       filter_.set_layer(step);
       center_ = filter_.run_layer(key(layer), Resampling::systematic);
@@ -134,7 +140,7 @@ class UniversalTracker final : public RigidObjectTracker {
 
     refiner_.set_image(image_, filter_.to_object(center_));
     const Pose mean = filter_.to_object(center_);
-    const Pose refined = refiner_.refine(mean, kReach_px).camera_from_object;
+    const Pose refined = refiner_.refine(mean, kReach_px, sigma).camera_from_object;
     const bool better = match_of(refined).matched * 1.05 >= match_of(mean).matched;
     center_ = filter_.to_center(better ? refined : mean);
     center_.rotation = symmetry_.fold(center_.rotation, last.rotation);
