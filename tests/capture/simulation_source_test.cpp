@@ -9,6 +9,7 @@
 #include <opencv2/core.hpp>
 #include <opencv2/imgcodecs.hpp>
 
+#include "anneal6d/framework/srgb.h"
 #include "capture_test_support.h"
 #include "flat_renderer.h"
 
@@ -20,7 +21,6 @@ using test::make_box;
 using test::make_flat_renderer;
 using test::message_of;
 
-constexpr int kBackgroundGrey = 0;
 
 CameraModel small_camera() { return {160, 120, 160, 160, 79.5, 59.5, {}}; }
 
@@ -30,12 +30,18 @@ SimulationSource simulate(const SimulationOptions& options,
   return {std::move(mesh), camera, options, make_flat_renderer};
 }
 
-// Share of each pixel that the object covers, from a picture of FlatRenderer's grey on plain grey.
+double light_of(int grey) { return decoded_srgb(grey / 255.0); }
+
+// Share of each pixel that the object covers, from a picture of FlatRenderer's grey on black: light is
+// mixed, not grey levels.
 cv::Mat coverage(const cv::Mat& image) {
   cv::Mat channel, result;
   cv::extractChannel(image, channel, 0);
-  constexpr double contrast = test::FlatRenderer::kGrey - kBackgroundGrey;
-  channel.convertTo(result, CV_64F, 1 / contrast, -kBackgroundGrey / contrast);
+  cv::Mat table(1, 256, CV_64FC1);
+  for (int grey = 0; grey < 256; ++grey) {
+    table.at<double>(grey) = light_of(grey) / light_of(test::FlatRenderer::kGrey);
+  }
+  cv::LUT(channel, table, result);
   return result;
 }
 
@@ -190,9 +196,14 @@ TEST(SimulationSource, SwingsTheBrightnessIfTheLightChanges) {
   options.frames = 60;
   options.light = SimulatedLight::changing;
   SimulationSource source = simulate(options);
-  EXPECT_EQ(source.next()->image.at<cv::Vec3b>(0)[0], kBackgroundGrey);
+  const auto brightest = [&] {
+    double grey = 0;
+    cv::minMaxLoc(source.next()->image.reshape(1), nullptr, &grey);
+    return light_of(static_cast<int>(grey));
+  };
+  const double first = brightest();
   source.skip(14);
-  EXPECT_NEAR(source.next()->image.at<cv::Vec3b>(0)[0], kBackgroundGrey * 4 / 3, 1);
+  EXPECT_NEAR(brightest() / first, 4.0 / 3, 0.02);
 }
 
 TEST(SimulationSource, BlursTheObjectAlongItsMotionAboutTheTrueCentre) {

@@ -19,7 +19,7 @@ constexpr double kBlurSigma_px = 1.0;
 constexpr int kMaxReach_px = 32;
 constexpr double kFaintest = 2.5;      // grey levels a pixel: weaker slopes are no edge
 constexpr double kHalfStrength = 4.0;  // slope at which an edge counts half of a strong one
-constexpr int kCrowdedReach_px = 2;
+constexpr int kRenderedReach_px = 2;
 constexpr double kCrowdedTrust = 0.5;
 constexpr double kBlindTrust = 0.1;
 constexpr double kSupport_px = 2.0;
@@ -94,16 +94,14 @@ void Refiner::see(const Pose& camera_from_object) {
                    !model_.textures.empty(), points_);
   cv::GaussianBlur(grey_, smooth_grey_, {}, kBlurSigma_px, kBlurSigma_px, cv::BORDER_REPLICATE);
   for (const ContourPoint& point : points_) {
-    Target target{point, 0.0, 1.0};
-    if (point.crowded) {
-      // Blur pushes edges that run side by side apart; it does the same to the rendered picture.
-      const Observation rendered = observe({smooth_grey_, {region.x, region.y}},
-                                           camera_.project(camera_from_object * point.object_mm),
-                                           point.normal, kCrowdedReach_px, false);
-      const bool seen = std::abs(rendered.offset_px) < kCrowdedReach_px;  // false for NaN
-      target.bias_px = seen ? rendered.offset_px : 0.0;
-      target.trust = seen ? kCrowdedTrust : kBlindTrust;
-    }
+    // Blur pushes edges that run side by side apart, and shading pulls a silhouette inwards; it
+    // does the same to the rendered picture.
+    const Observation rendered = observe({smooth_grey_, {region.x, region.y}},
+                                         camera_.project(camera_from_object * point.object_mm),
+                                         point.normal, kRenderedReach_px, false);
+    const bool seen = std::abs(rendered.offset_px) < kRenderedReach_px;  // false for NaN
+    Target target{point, seen ? rendered.offset_px : 0.0, 1.0};
+    if (point.crowded) target.trust = seen ? kCrowdedTrust : kBlindTrust;
     targets_.push_back(target);
   }
 }

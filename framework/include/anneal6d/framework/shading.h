@@ -15,9 +15,9 @@ inline constexpr double kNearPlane_mm = 10.0;
 /// texture multiplies it, sampled bilinearly with repeat at one level for the whole object
 /// (`TriangleMesh::texture_level_for` with px_per_mm = fx / z of the object's centre).
 struct Shading {
-  Eigen::Vector3f to_light = Eigen::Vector3f(-0.4F, -0.6F, -0.7F).normalized();  ///< camera frame
-  float ambient = 0.25F;
-  float diffuse = 0.75F;
+  Eigen::Vector3f to_light = Eigen::Vector3f(-0.3F, -0.4F, -0.85F).normalized();  ///< camera frame
+  float ambient = 0.4F;
+  float diffuse = 0.6F;
 };
 
 }  // namespace anneal6d
