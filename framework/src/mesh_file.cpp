@@ -14,9 +14,10 @@
 #include "anneal6d/framework/atomic_file.h"
 #include "anneal6d/framework/error.h"
 #include "anneal6d/framework/log.h"
-#include "assimp_file.h"
 #include "cao_file.h"
 #include "dat_file.h"
+#include "gltf_file.h"
+#include "obj_file.h"
 #include "ply_file.h"
 #include "stl_file.h"
 
@@ -45,9 +46,10 @@ MeshData read_by_extension(const fs::path& path) {
                  [](unsigned char c) { return static_cast<char>(std::tolower(c)); });
   if (extension == ".dat") return load_dat(path);
   if (extension == ".cao") return load_cao(path);
+  if (extension == ".gltf" || extension == ".glb") return load_gltf(path, extension == ".glb");
+  if (extension == ".obj") return load_obj(path);
   if (extension == ".ply") return load_ply(path);
   if (extension == ".stl") return load_stl(path);
-  if (is_read_by_assimp(extension)) return load_with_assimp(path, extension);
   throw FileError(path, "",
                   "has an unknown ending; models are .obj, .ply, .stl, .gltf, .glb, .dat (IVT) or "
                   ".cao (ViSP)");

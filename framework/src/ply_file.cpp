@@ -44,52 +44,45 @@ class PlyReader {
 };
 
 /// What a property of a vertex is for.
-enum Channel { kX, kY, kZ, kNormalX, kNormalY, kNormalZ, kU, kV, kRed, kGreen, kBlue, kChannels };
+enum Channel {
+  at_x,
+  at_y,
+  at_z,
+  at_nx,
+  at_ny,
+  at_nz,
+  at_u,
+  at_v,
+  at_red,
+  at_green,
+  at_blue,
+  channel_count
+};
 
 std::optional<Channel> channel_of(const PlyProperty& property) {
   constexpr std::array<std::pair<std::string_view, Channel>, 18> kNames = {
-      {{"x", kX},
-       {"y", kY},
-       {"z", kZ},
-       {"nx", kNormalX},
-       {"ny", kNormalY},
-       {"nz", kNormalZ},
-       {"s", kU},
-       {"u", kU},
-       {"texture_u", kU},
-       {"t", kV},
-       {"v", kV},
-       {"texture_v", kV},
-       {"red", kRed},
-       {"diffuse_red", kRed},
-       {"green", kGreen},
-       {"diffuse_green", kGreen},
-       {"blue", kBlue},
-       {"diffuse_blue", kBlue}}};
+      {{"x", at_x},
+       {"y", at_y},
+       {"z", at_z},
+       {"nx", at_nx},
+       {"ny", at_ny},
+       {"nz", at_nz},
+       {"s", at_u},
+       {"u", at_u},
+       {"texture_u", at_u},
+       {"t", at_v},
+       {"v", at_v},
+       {"texture_v", at_v},
+       {"red", at_red},
+       {"diffuse_red", at_red},
+       {"green", at_green},
+       {"diffuse_green", at_green},
+       {"blue", at_blue},
+       {"diffuse_blue", at_blue}}};
   const auto found = std::find_if(kNames.begin(), kNames.end(),
                                   [&](const auto& row) { return row.first == property.name; });
   if (found == kNames.end() || property.length_type) return std::nullopt;
   return found->second;
-}
-
-/// Cuts a face into triangles. Corners that are not flat, or whose outline crosses itself, become a
-/// fan: scanned models have such faces.
-std::vector<Triangle> triangulate_face(const std::vector<std::uint32_t>& corners,
-                                       const std::vector<MeshVertex>& vertices) {
-  if (corners.size() == 3) return {{corners[0], corners[1], corners[2]}};
-  std::vector<Eigen::Vector3d> outline;
-  for (const std::uint32_t corner : corners) {
-    outline.push_back(vertices[corner].position_mm.cast<double>());
-  }
-  std::vector<Triangle> triangles;
-  if (const auto cut = triangulate(outline)) {
-    for (const auto& t : *cut) triangles.push_back({corners[t[0]], corners[t[1]], corners[t[2]]});
-  } else {
-    for (std::size_t i = 2; i < corners.size(); ++i) {
-      triangles.push_back({corners[0], corners[i - 1], corners[i]});
-    }
-  }
-  return triangles;
 }
 
 MeshData PlyReader::read() {
@@ -113,18 +106,18 @@ MeshData PlyReader::read() {
 }
 
 void PlyReader::read_vertices(const PlyElement& element) {
-  std::array<double, kChannels> values{};
-  std::array<bool, kChannels> is_given{};
+  std::array<double, channel_count> values{};
+  std::array<bool, channel_count> is_given{};
   // Without a colour of its own a textured model shows its texture's.
   const float plain = values_.texture().empty() ? MeshVertex{}.albedo_bgr.x() : 1.0F;
-  for (const Channel channel : {kRed, kGreen, kBlue}) values[channel] = plain;
+  for (const Channel channel : {at_red, at_green, at_blue}) values[channel] = plain;
   for (const PlyProperty& property : element.properties) {
     if (const auto channel = channel_of(property)) is_given[*channel] = true;
   }
-  if (!is_given[kX] || !is_given[kY] || !is_given[kZ]) {
+  if (!is_given[at_x] || !is_given[at_y] || !is_given[at_z]) {
     throw FileError(path_, "header", "a vertex should have x, y and z");
   }
-  has_uv_ = is_given[kU] && is_given[kV];
+  has_uv_ = is_given[at_u] && is_given[at_v];
 
   std::vector<double> unused;
   for (std::size_t i = 0; i < element.count; ++i) {
@@ -134,7 +127,7 @@ void PlyReader::read_vertices(const PlyElement& element) {
       if (property.length_type) {
         take_list(property, unused);
       } else if (const double value = values_.take(property.type); channel) {
-        const bool is_part_of_white = *channel >= kRed && is_whole(property.type);
+        const bool is_part_of_white = *channel >= at_red && is_whole(property.type);
         values[*channel] = is_part_of_white ? value / largest_of(property.type) : value;
       }
     }
@@ -142,10 +135,10 @@ void PlyReader::read_vertices(const PlyElement& element) {
       return Eigen::Vector3d(values[a], values[b], values[c]).cast<float>().eval();
     };
     MeshVertex& vertex = mesh_.vertices.emplace_back();
-    vertex.position_mm = vector(kX, kY, kZ);
-    vertex.normal = usable_normal(vector(kNormalX, kNormalY, kNormalZ));
-    vertex.uv = Eigen::Vector2d(values[kU], 1 - values[kV]).cast<float>();
-    vertex.albedo_bgr = vector(kBlue, kGreen, kRed);
+    vertex.position_mm = vector(at_x, at_y, at_z);
+    vertex.normal = usable_normal(vector(at_nx, at_ny, at_nz));
+    vertex.uv = Eigen::Vector2d(values[at_u], 1 - values[at_v]).cast<float>();
+    vertex.albedo_bgr = vector(at_blue, at_green, at_red);
   }
   vertex_count_ = mesh_.vertices.size();
 }

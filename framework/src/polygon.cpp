@@ -87,4 +87,22 @@ std::optional<std::vector<std::array<std::uint32_t, 3>>> triangulate(
   return triangles;
 }
 
+std::vector<Triangle> triangulate_face(std::span<const std::uint32_t> corners,
+                                       std::span<const MeshVertex> vertices) {
+  if (corners.size() == 3) return {{corners[0], corners[1], corners[2]}};
+  std::vector<Eigen::Vector3d> outline;
+  for (const std::uint32_t corner : corners) {
+    outline.push_back(vertices[corner].position_mm.cast<double>());
+  }
+  std::vector<Triangle> triangles;
+  if (const auto cut = triangulate(outline)) {
+    for (const auto& t : *cut) triangles.push_back({corners[t[0]], corners[t[1]], corners[t[2]]});
+  } else {
+    for (std::size_t i = 2; i < corners.size(); ++i) {
+      triangles.push_back({corners[0], corners[i - 1], corners[i]});
+    }
+  }
+  return triangles;
+}
+
 }  // namespace anneal6d

@@ -9,6 +9,8 @@
 #include <span>
 #include <vector>
 
+#include "anneal6d/framework/triangle_mesh.h"
+
 namespace anneal6d {
 
 /// Cuts a flat, possibly concave polygon into triangles of its corners' positions 0, 1, ... by
@@ -16,5 +18,10 @@ namespace anneal6d {
 /// three corners, no area, or an outline that crosses itself.
 std::optional<std::vector<std::array<std::uint32_t, 3>>> triangulate(
     std::span<const Eigen::Vector3d> polygon);
+
+/// Cuts a model's face, given by the indices of its corners. One that is not flat, or whose outline
+/// crosses itself, becomes a fan: scanned models have such faces.
+std::vector<Triangle> triangulate_face(std::span<const std::uint32_t> corners,
+                                       std::span<const MeshVertex> vertices);
 
 }  // namespace anneal6d

@@ -45,4 +45,18 @@ cv::Mat load_texture(const std::filesystem::path& path) {
                         path);
 }
 
+void SoleTexture::add(const std::filesystem::path& texture, const std::filesystem::path& model,
+                      const std::string& place) {
+  if (is_known_ && texture != path_) {
+    const bool is_mixed = path_.empty() || texture.empty();
+    throw FileError(
+        model, place,
+        is_mixed ? "the model is textured in parts; give all of it one texture (bake its materials)"
+                 : "the model has several textures (" + path_.filename().string() + ", " +
+                       texture.filename().string() + "); bake them into one");
+  }
+  is_known_ = true;
+  path_ = texture;
+}
+
 }  // namespace anneal6d

@@ -73,6 +73,15 @@ TEST_F(CameraFile, ReadsFourAndEightCoefficientsIfTheRestIsZero) {
   expect_is_golden_camera(load_camera(folder_.write("eight.yaml", eight)));
 }
 
+TEST_F(CameraFile, SkipsWhatLiesDeeper) {
+  const std::string extra =
+      "  history:\n    rows: 7\n    - rows: 8\n      note: 'a: b # c'\nlist:\n- a: 1\n  b: 2\n- a: "
+      "3\n  b: 4\n";
+  const std::string content =
+      replaced(content_of(golden("ros.yaml")), "distortion_model", extra + "distortion_model");
+  expect_is_golden_camera(load_camera(folder_.write("camera.yml", content)));
+}
+
 TEST_F(CameraFile, ReadsWhatItWrites) {
   CameraModel camera = load_camera(golden("opencv.yml"));
   camera.fx_px = 1000.0 / 3;

@@ -50,6 +50,12 @@ TEST_F(CaoFile, CutsConcaveFacesIntoTheirArea) {
   EXPECT_NEAR(area_mm2(mesh), 500 * std::sqrt(2.0), 0.01);
 }
 
+TEST_F(CaoFile, CutsNoEarThatHoldsAnotherCorner) {
+  // The fourth corner lies within the triangle of the first three.
+  const TriangleMesh mesh = load("V1\n4\n0 0 0\n30 0 0\n30 30 0\n20 5 0\n0\n0\n1\n4 0 1 2 3\n");
+  EXPECT_NEAR(area_mm2(mesh), 225, 1e-3);
+}
+
 TEST_F(CaoFile, CutsFacesWithCornersThatBendNowhere) {
   const std::string content =
       "V1\n7\n0 0 0\n10 0 0\n20 0 0\n20 20 0\n10 20 0\n0 20 0\n0 20 0\n0\n0\n1\n7 0 1 2 3 4 5 6\n";

@@ -74,6 +74,49 @@ TEST(MeshFile, ReadsGltfWithThePictureInsideAndBeside) {
   }
 }
 
+TEST(MeshFile, ReadsObjWithColoursNegativeNumbersAndJoinedLines) {
+  TemporaryFolder folder;
+  const auto path = folder.write("m.obj",
+                                 "# made by hand\r\nmtllib a file.mtl\r\no thing\r\n"
+                                 "v 0 0 0 1 0 0\r\nv 50 0 0 0 1 0 # green\r\nv 0 50 0 0 0 1\r\n"
+                                 "usemtl dim paint\r\nf -3 \\\r\n -2 -1\r\nl 1 2\r\n");
+  folder.write("a file.mtl", "newmtl dim paint\nKd 0.5 0.5 0.5\nillum 2\n");
+  const TriangleMesh mesh = load_mesh(path);
+  ASSERT_EQ(mesh.triangles().size(), 1U);
+  ASSERT_EQ(mesh.vertices().size(), 3U);
+  EXPECT_EQ(mesh.vertices()[0].albedo_bgr, Eigen::Vector3f(0, 0, 0.5F));
+  EXPECT_EQ(mesh.vertices()[2].albedo_bgr, Eigen::Vector3f(0.5F, 0, 0));
+}
+
+TEST(MeshFile, ReadsObjWithoutAnyMaterial) {
+  TemporaryFolder folder;
+  const std::string points = "v 0 0 0\nv 50 0 0\nv 0 50 0\n";
+  expect_albedo(load_mesh(folder.write("plain.obj", points + "usemtl lost\nf 1 2 3\n")),
+                {0.8F, 0.8F, 0.8F});
+}
+
+TEST(MeshFile, CutsConcaveFacesOfObj) {
+  TemporaryFolder folder;
+  const auto path = folder.write(
+      "l.obj", "v 0 0 0\nv 30 0 0\nv 30 10 0\nv 10 10 0\nv 10 30 0\nv 0 30 0\nf 4 5 6 1 2 3\n");
+  const TriangleMesh mesh = load_mesh(path);
+  double area_mm2 = 0;
+  for (const Triangle& t : mesh.triangles()) {
+    const Eigen::Vector3f& a = mesh.vertices()[t[0]].position_mm;
+    area_mm2 +=
+        0.5 *
+        (mesh.vertices()[t[1]].position_mm - a).cross(mesh.vertices()[t[2]].position_mm - a).norm();
+  }
+  EXPECT_NEAR(area_mm2, 500, 1e-3);
+}
+
+TEST(MeshFile, SkipsNeutralOptionsOfTextures) {
+  TemporaryFolder folder;
+  for (const char* name : {"box.obj", "box.png"}) folder.copy_golden(name);
+  folder.write("box.mtl", "newmtl painted\nmap_Kd -s 1 1 1 -o 0 0 -clamp on -mm 0 1 box.png\n");
+  EXPECT_TRUE(load_mesh(folder.path() / "box.obj").has_texture());
+}
+
 TEST(MeshFile, ReadsPlyWithVertexColours) {
   for (const char* name : {"box.ply", "box_binary.ply"}) {
     SCOPED_TRACE(name);

@@ -7,8 +7,11 @@
 #include <Eigen/Core>
 #include <algorithm>
 #include <cmath>
+#include <limits>
 #include <numeric>
 #include <string>
+
+#include "parameter_names.h"
 
 namespace anneal6d {
 namespace {
@@ -88,10 +91,7 @@ TEST_P(FilteringBy, GivesTheSameForTheSameKey) {
 
 INSTANTIATE_TEST_SUITE_P(Resampling, FilteringBy,
                          testing::Values(Resampling::multinomial, Resampling::systematic),
-                         [](const auto& test) {
-                           return test.param == Resampling::multinomial ? "Multinomial"
-                                                                        : "Systematic";
-                         });
+                         [](const auto& test) { return parameter_name(test.param); });
 
 /// States are numbers; the test says what each of them is worth, and the hooks are written down.
 class ScriptedFilter final : public ParticleFilter<int> {

@@ -10,6 +10,7 @@
 
 #include "anneal6d/framework/error.h"
 #include "anneal6d/framework/random.h"
+#include "parameter_names.h"
 
 namespace anneal6d {
 namespace {
@@ -153,11 +154,7 @@ TEST_P(RatingBy, IsNeverNaN) {
 INSTANTIATE_TEST_SUITE_P(Rule, RatingBy,
                          testing::Values(RatingRule::ratio, RatingRule::normalized,
                                          RatingRule::balanced),
-                         [](const auto& test) {
-                           return test.param == RatingRule::ratio        ? "Ratio"
-                                  : test.param == RatingRule::normalized ? "Normalized"
-                                                                         : "Balanced";
-                         });
+                         [](const auto& test) { return parameter_name(test.param); });
 
 TEST(RatingOptionsCheck, AcceptsTheDefaults) { EXPECT_NO_THROW(RatingOptions{}.validate()); }
 

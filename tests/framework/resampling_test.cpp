@@ -10,6 +10,8 @@
 #include <numeric>
 #include <vector>
 
+#include "parameter_names.h"
+
 namespace anneal6d {
 namespace {
 
@@ -76,10 +78,7 @@ TEST_P(DrawingBy, CopiesTheOnlyParticle) {
 
 INSTANTIATE_TEST_SUITE_P(Resampling, DrawingBy,
                          testing::Values(Resampling::multinomial, Resampling::systematic),
-                         [](const auto& test) {
-                           return test.param == Resampling::multinomial ? "Multinomial"
-                                                                        : "Systematic";
-                         });
+                         [](const auto& test) { return parameter_name(test.param); });
 
 TEST(SystematicResampling, DrawsEachIndexAsOftenAsItsShareRoundedUpOrDown) {
   const std::vector<double> weights{0.07, 0.31, 0.02, 0.4, 0.2};

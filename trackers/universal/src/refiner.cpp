@@ -20,6 +20,7 @@ constexpr int kMaxReach_px = 32;
 constexpr double kFaintest = 2.5;      // grey levels a pixel: weaker slopes are no edge
 constexpr double kHalfStrength = 4.0;  // slope at which an edge counts half of a strong one
 constexpr int kRenderedReach_px = 2;
+constexpr double kMostShading_px = 0.7;  // shift of an edge that stands alone
 constexpr double kCrowdedTrust = 0.5;
 constexpr double kBlindTrust = 0.1;
 constexpr double kSupport_px = 2.0;
@@ -99,7 +100,8 @@ void Refiner::see(const Pose& camera_from_object) {
     const Observation rendered = observe({smooth_grey_, {region.x, region.y}},
                                          camera_.project(camera_from_object * point.object_mm),
                                          point.normal, kRenderedReach_px, false);
-    const bool seen = std::abs(rendered.offset_px) < kRenderedReach_px;  // false for NaN
+    const double most_px = point.crowded ? kRenderedReach_px : kMostShading_px;
+    const bool seen = std::abs(rendered.offset_px) < most_px;  // false for NaN
     Target target{point, seen ? rendered.offset_px : 0.0, 1.0};
     if (point.crowded) target.trust = seen ? kCrowdedTrust : kBlindTrust;
     targets_.push_back(target);

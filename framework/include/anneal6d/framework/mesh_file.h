@@ -11,7 +11,7 @@ namespace anneal6d {
 
 enum class LengthUnit { millimetre, centimetre, metre };
 
-/// Reads a model: OBJ (+MTL, texture), PLY, STL, glTF through assimp; IVT `object.dat` (with
+/// Reads a model: OBJ (+MTL, texture), PLY, STL, glTF 2; IVT `object.dat` (with
 /// `objectTex.dat` and `object.bmp` beside it, if there); ViSP `.cao`. Multiplies lengths by
 /// `unit`. Throws FileError: missing or malformed file, no triangle, several textures, a diameter
 /// under 5 mm or over 5 m (with a hint about units).

@@ -1,0 +1,163 @@
+// SPDX-License-Identifier: BSD-3-Clause
+// Copyright (c) 2026 The Anneal6D authors
+//
+// The exact scorers count what the reference counts.
+#include <gtest/gtest.h>
+
+#include <algorithm>
+#include <cctype>
+#include <cstdlib>
+#include <map>
+#include <string>
+#include <tuple>
+
+#include "anneal6d/framework/error.h"
+#include "scorer_cases.h"
+
+namespace anneal6d {
+namespace {
+
+using test::EdgeCase;
+using test::Placement;
+using test::scores;
+
+// Why two exact scorers differ at all:
+// - OpenGL rounds corners to a fraction of a pixel (1/256), so that a pixel's centre that a border
+//   passes closely may fall on its other side: single pixels.
+// - OpenGL rounds the three channels and the texture's weights to 8 bits before the conversion to
+//   grey; one rounding of the brightness remains elsewhere. Pictures differ by one grey level in
+//   some pixels, and hardly anywhere by more. A gradient then differs by about two levels: where a
+//   smooth slope is as steep as the threshold says, whole areas change sides.
+// So what a scorer counts lies between what the reference counts for thresholds a little higher and
+// lower; that leaves single pixels. Such slopes are rare: most poses agree closely by themselves.
+struct Tolerance {
+  int threshold_levels;  ///< every count is bracketed by thresholds this much higher and lower ...
+  double bracket_share;  ///< ... widened by this share of the count ...
+  int bracket_px;        ///< ... and this many pixels
+  double close_share;    ///< counts differ by this share ...
+  int close_px;          ///< ... and this many pixels at most ...
+  double least_close;    ///< ... for this share of the poses
+};
+constexpr Tolerance kTolerance{.threshold_levels = 3,
+                               .bracket_share = 0.005,
+                               .bracket_px = 8,
+                               .close_share = 0.01,
+                               .close_px = 6,
+                               .least_close = 0.90};
+// Canny also asks whether a gradient is the largest along its direction, which a difference of one
+// level decides on every even slope, whatever the threshold: there is no bracket. Colours and
+// magnified textures have such slopes, so that a few poses differ by far.
+constexpr double kLeastCloseByCanny = 0.70;
+constexpr double kMeanByCanny = 0.05;  // the counts of all poses together differ by this share
+
+class ExactScorer : public testing::TestWithParam<std::tuple<std::string, EdgeCase>> {
+ protected:
+  void SetUp() override {
+    for (const std::string& needed : {std::get<0>(GetParam()), std::string("reference")}) {
+      const auto row = std::find_if(table_.begin(), table_.end(),
+                                    [&](const auto& plugin) { return plugin.name == needed; });
+      if (const std::string reason = row->why_unavailable(); !reason.empty()) {
+        GTEST_SKIP() << needed << ": " << reason;
+      }
+    }
+  }
+
+  std::unique_ptr<PoseScorer> make(std::string_view scorer_name, const test::Model& model,
+                                   const EdgeOptions& edges, int threshold_change = 0) const {
+    ScorerSetup setup;
+    setup.mesh = model.mesh;
+    setup.camera = test::vga_camera();
+    setup.edges = edges;
+    *setup.edges.threshold += threshold_change;
+    auto scorer = make_plugin(table_, "scorer", scorer_name, setup);
+    scorer->set_edges(test::cluttered_edges(setup.camera));
+    return scorer;
+  }
+
+ private:
+  ScorerTable table_ = test::all_scorers();
+};
+
+/// How many poses of how many were close, and the sums of their counts.
+struct Tally {
+  int poses = 0, close = 0;
+  double expected = 0, counted = 0;
+
+  void add(const EdgeMatch& reference, const EdgeMatch& match) {
+    if (reference.rendered == 0 && match.rendered == 0) return;  // nothing to compare
+    const int difference = std::max(std::abs(match.rendered - reference.rendered),
+                                    std::abs(match.matched - reference.matched));
+    ++poses;
+    close += difference <= kTolerance.close_share * reference.rendered + kTolerance.close_px;
+    expected += reference.rendered;
+    counted += match.rendered;
+  }
+};
+
+void expect_within(const EdgeMatch& found, const EdgeMatch& least, const EdgeMatch& most) {
+  const double slack = kTolerance.bracket_share * most.rendered + kTolerance.bracket_px;
+  EXPECT_GE(found.rendered, least.rendered - slack);
+  EXPECT_LE(found.rendered, most.rendered + slack);
+  EXPECT_GE(found.matched, least.matched - slack);
+  EXPECT_LE(found.matched, most.matched + slack);
+}
+
+TEST_P(ExactScorer, CountsWhatTheReferenceCounts) {
+  constexpr std::uint32_t kPosesOfAModel = 30;
+  const std::map<Placement, std::string> placements{{Placement::inside, "inside"},
+                                                    {Placement::border, "at the border"},
+                                                    {Placement::near, "very near"}};
+  const auto& [name, edge_case] = GetParam();
+  const bool canny = edge_case.edges.op == EdgeOperator::canny;
+
+  std::map<Placement, Tally> tallies;
+  for (const test::Model& model : test::models()) {
+    const auto scorer = make(name, model, edge_case.edges);
+    const auto reference = make("reference", model, edge_case.edges);
+    const auto lower = make("reference", model, edge_case.edges, -kTolerance.threshold_levels);
+    const auto higher = make("reference", model, edge_case.edges, kTolerance.threshold_levels);
+    for (const auto& [placement, where] : placements) {
+      const auto poses =
+          test::random_poses(*model.mesh, test::vga_camera(), placement, kPosesOfAModel);
+      const auto found = scores(*scorer, poses);
+      const auto expected = scores(*reference, poses);
+      for (std::size_t i = 0; i < poses.size(); ++i) tallies[placement].add(expected[i], found[i]);
+      if (canny) continue;
+
+      const auto most = scores(*lower, poses), least = scores(*higher, poses);
+      for (std::size_t i = 0; i < poses.size(); ++i) {
+        SCOPED_TRACE(model.name + " " + where + ", pose " + std::to_string(i));
+        expect_within(found[i], least[i], most[i]);
+      }
+    }
+  }
+  for (const auto& [placement, where] : placements) {
+    const Tally& tally = tallies[placement];
+    SCOPED_TRACE(where + ": " + std::to_string(tally.close) + " of " + std::to_string(tally.poses) +
+                 " poses are close");
+    ASSERT_GT(tally.poses, 100);
+    EXPECT_GE(tally.close, (canny ? kLeastCloseByCanny : kTolerance.least_close) * tally.poses);
+    EXPECT_NEAR(tally.counted / tally.expected, 1, canny ? kMeanByCanny : kTolerance.close_share);
+  }
+}
+
+std::vector<std::string> exact_names() {
+  std::vector<std::string> names;
+  for (const ScorerPlugin& plugin : test::all_scorers()) {
+    if (plugin.name != "reference") names.push_back(plugin.name);
+  }
+  return names;
+}
+
+INSTANTIATE_TEST_SUITE_P(Scorer, ExactScorer,
+                         testing::Combine(testing::ValuesIn(exact_names()),
+                                          testing::ValuesIn(test::edge_cases())),
+                         [](const auto& test) {
+                           std::string name =
+                               std::get<0>(test.param) + std::get<1>(test.param).name;
+                           std::erase_if(name, [](unsigned char c) { return !std::isalnum(c); });
+                           return name;
+                         });
+
+}  // namespace
+}  // namespace anneal6d

@@ -1,0 +1,101 @@
+// SPDX-License-Identifier: BSD-3-Clause
+// Copyright (c) 2026 The Anneal6D authors
+#pragma once
+
+#include <cmath>
+#include <memory>
+#include <numbers>
+#include <opencv2/core.hpp>
+#include <opencv2/imgproc.hpp>
+
+#include "anneal6d/framework/srgb.h"
+#include "rasterizer.h"
+#include "shapes.h"
+
+namespace anneal6d::test {
+
+inline constexpr double kDegree = std::numbers::pi / 180.0;
+
+inline CameraModel small_camera() {
+  return {.width_px = 320,
+          .height_px = 240,
+          .fx_px = 310,
+          .fy_px = 300,
+          .cx_px = 161.3,
+          .cy_px = 118.6};
+}
+
+/// The object as drawn, as large as the image.
+struct Drawing {
+  Region region;
+  cv::Mat grey;      ///< CV_8UC1
+  cv::Mat depth_mm;  ///< CV_32FC1, 0 where there is no object
+};
+
+inline Drawing draw(const RasterModel& model, const CameraModel& camera, const Pose& pose,
+                    int margin_px = 2) {
+  Drawing drawing;
+  drawing.grey = cv::Mat::zeros(camera.height_px, camera.width_px, CV_8UC1);
+  drawing.depth_mm = cv::Mat::zeros(camera.height_px, camera.width_px, CV_32FC1);
+  Rasterizer rasterizer(model, camera, Shading{});
+  const Region region = drawing.region = rasterizer.draw(pose, margin_px);
+  if (region.empty()) return drawing;
+  cv::Mat grey, depth_mm;
+  rasterizer.take_images(grey, depth_mm);
+  const cv::Rect window(region.x, region.y, region.width, region.height);
+  grey.copyTo(drawing.grey(window));
+  depth_mm.copyTo(drawing.depth_mm(window));
+  return drawing;
+}
+
+/// What a camera would see before a plain background: drawn four times as densely, light mixed
+/// within each pixel, and encoded. `noise`: standard deviation in grey levels; `frame` varies it.
+inline cv::Mat photograph(const RasterModel& model, const CameraModel& camera, const Pose& pose,
+                          int background = 60, double noise = 0, int frame = 0) {
+  constexpr int kDensity = 4;
+  const Drawing dense = draw(model, camera.scaled(kDensity), pose);
+  const auto levels = srgb_light_table();
+  cv::Mat light(dense.grey.size(), CV_32FC1), mixed;
+  for (int y = 0; y < light.rows; ++y) {
+    for (int x = 0; x < light.cols; ++x) {
+      const int level =
+          dense.depth_mm.at<float>(y, x) > 0 ? dense.grey.at<std::uint8_t>(y, x) : background;
+      light.at<float>(y, x) = levels[static_cast<std::size_t>(level)];
+    }
+  }
+  cv::resize(light, mixed, {camera.width_px, camera.height_px}, 0, 0, cv::INTER_AREA);
+  cv::Mat deviations = cv::Mat::zeros(mixed.size(), CV_32FC1);
+  if (noise > 0) {
+    cv::RNG random(static_cast<std::uint64_t>(frame) + 1);
+    random.fill(deviations, cv::RNG::NORMAL, 0, noise);
+  }
+  cv::Mat image(mixed.size(), CV_8UC1);
+  for (int y = 0; y < image.rows; ++y) {
+    for (int x = 0; x < image.cols; ++x) {
+      image.at<std::uint8_t>(y, x) = cv::saturate_cast<std::uint8_t>(
+          255 * encoded_srgb(mixed.at<float>(y, x)) + deviations.at<float>(y, x));
+    }
+  }
+  return image;
+}
+
+/// A pose beside another: turned by a vector in degrees about the object's centre and shifted,
+/// camera frame.
+inline Pose beside(const TriangleMesh& mesh, const Pose& pose, const Eigen::Vector3d& turn_deg,
+                   const Eigen::Vector3d& shift_mm) {
+  const Eigen::Vector3d center = pose * mesh.center_mm().cast<double>();
+  const auto rotation = (rotation_from_vector(turn_deg * kDegree) * pose.rotation).normalized();
+  return pose_with_center(mesh, rotation, center + shift_mm);
+}
+
+inline double angle_deg(const Pose& a, const Pose& b) {
+  return angle_between(a.rotation, b.rotation) / kDegree;
+}
+
+/// Distance of the places of the object's centre.
+inline double center_distance_mm(const TriangleMesh& mesh, const Pose& a, const Pose& b) {
+  const Eigen::Vector3d center = mesh.center_mm().cast<double>();
+  return (a * center - b * center).norm();
+}
+
+}  // namespace anneal6d::test

@@ -1,0 +1,281 @@
+// SPDX-License-Identifier: BSD-3-Clause
+// Copyright (c) 2026 The Anneal6D authors
+#include "anneal6d/trackers/universal_tracker.h"
+
+#include <gtest/gtest.h>
+
+#include <ostream>
+#include <string>
+
+#include "anneal6d/framework/error.h"
+#include "anneal6d/trackers/plugins.h"
+#include "synthetic.h"
+
+namespace anneal6d {
+namespace {
+
+using test::angle_deg;
+using test::beside;
+using test::center_distance_mm;
+using test::SharedMesh;
+
+using Values = std::initializer_list<std::pair<std::string, std::string>>;
+
+const SharedMesh& box() {
+  static const SharedMesh mesh = test::make_box(90, 60, 75);
+  return mesh;
+}
+
+TrackerSetup setup_for(const SharedMesh& mesh, const Values& values) {
+  TrackerSetup setup;
+  setup.mesh = mesh;
+  setup.camera = test::small_camera();
+  setup.scorers = cpu_scorer_plugins();
+  for (const auto& [name, value] : values) setup.settings.set(name, value);
+  return setup;
+}
+
+std::unique_ptr<RigidObjectTracker> make_tracker(const Values& values = {},
+                                                 const SharedMesh& mesh = box()) {
+  return make_plugin(tracker_plugins(), "tracker", "universal", setup_for(mesh, values));
+}
+
+/// Frames of an object that somebody moves smoothly, and where it truly was.
+struct Sequence {
+  std::vector<Frame> frames;
+  std::vector<Pose> truth;
+};
+
+Frame frame_of(const cv::Mat& image, std::int64_t index) {
+  Frame frame;
+  frame.image = image;
+  frame.index = index;
+  return frame;
+}
+
+Sequence moving_sequence(int frames) {
+  Sequence sequence;
+  const RasterModel model(box(), false);
+  const Pose start{rotation_from_axis_angle(Eigen::Vector3d::UnitX(), 0.6) *
+                       rotation_from_axis_angle(Eigen::Vector3d::UnitY(), 0.7),
+                   {-20, -3, 340}};
+  for (int i = 0; i < frames; ++i) {
+    const double t = 0.25 * i;
+    const Pose pose = beside(*box(), start, {5 * std::sin(t), 8 * (1 - std::cos(t)), 4 * t},
+                             {12 * t, 10 * std::sin(t), 15 * (1 - std::cos(t))});
+    sequence.truth.push_back(pose);
+    sequence.frames.push_back(
+        frame_of(test::photograph(model, test::small_camera(), pose, 40, 1.5, i), i));
+  }
+  return sequence;
+}
+
+std::vector<TrackResult> track(RigidObjectTracker& tracker, const Sequence& sequence) {
+  tracker.reset(sequence.truth.front());
+  std::vector<TrackResult> results;
+  for (const Frame& frame : sequence.frames) results.push_back(tracker.track(frame));
+  return results;
+}
+
+struct Mode {
+  const char* name;
+  const char* particles;
+  const char* layers;
+  double reach_mm, reach_deg;  ///< an error that it must not exceed on `moving_sequence`
+
+  friend std::ostream& operator<<(std::ostream& stream, const Mode& mode) {
+    return stream << mode.name;
+  }
+};
+
+class UniversalTracking : public testing::TestWithParam<Mode> {
+ protected:
+  std::unique_ptr<RigidObjectTracker> make(const char* threads = "0",
+                                           const char* seed = "1") const {
+    return make_tracker({{"mode", GetParam().name},
+                         {"particles", GetParam().particles},
+                         {"layers", GetParam().layers},
+                         {"threads", threads},
+                         {"seed", seed}});
+  }
+};
+
+TEST_P(UniversalTracking, FollowsAMovingObject) {
+  const Sequence sequence = moving_sequence(16);
+  const auto tracker = make();
+  const auto results = track(*tracker, sequence);
+  for (std::size_t i = 0; i < results.size(); ++i) {
+    const Pose& pose = results[i].camera_from_object;
+    EXPECT_LT(center_distance_mm(*box(), pose, sequence.truth[i]), GetParam().reach_mm)
+        << "frame " << i;
+    EXPECT_LT(angle_deg(pose, sequence.truth[i]), GetParam().reach_deg) << "frame " << i;
+    EXPECT_LT(center_distance_mm(*box(), results[i].best_camera_from_object, sequence.truth[i]),
+              3 * GetParam().reach_mm + 5)
+        << "frame " << i;
+    EXPECT_EQ(results[i].status, TrackStatus::tracking) << "frame " << i;
+    EXPECT_GT(results[i].quality, 0.5) << "frame " << i;
+    EXPECT_LE(results[i].quality, 1.0) << "frame " << i;
+  }
+}
+
+TEST_P(UniversalTracking, GivesIdenticalPosesOnAnyNumberOfThreads) {
+  const Sequence sequence = moving_sequence(4);
+  const auto one = track(*make("1"), sequence);
+  for (const char* threads : {"1", "2", "3"}) {
+    const auto others = track(*make(threads), sequence);
+    for (std::size_t i = 0; i < one.size(); ++i) {
+      EXPECT_EQ(one[i].camera_from_object.translation_mm,
+                others[i].camera_from_object.translation_mm)
+          << "frame " << i << " on " << threads;
+      EXPECT_EQ(one[i].camera_from_object.rotation.coeffs(),
+                others[i].camera_from_object.rotation.coeffs())
+          << "frame " << i << " on " << threads;
+      EXPECT_EQ(one[i].best_camera_from_object.translation_mm,
+                others[i].best_camera_from_object.translation_mm)
+          << "frame " << i << " on " << threads;
+      EXPECT_EQ(one[i].quality, others[i].quality) << "frame " << i << " on " << threads;
+    }
+  }
+}
+
+TEST_P(UniversalTracking, StartsAnewAfterAReset) {
+  const Sequence sequence = moving_sequence(3);
+  const auto tracker = make();
+  const auto first = track(*tracker, sequence);
+  const auto again = track(*tracker, sequence);
+  for (std::size_t i = 0; i < first.size(); ++i) {
+    EXPECT_EQ(first[i].camera_from_object.translation_mm,
+              again[i].camera_from_object.translation_mm)
+        << "frame " << i;
+  }
+}
+
+TEST_P(UniversalTracking, DrawsOtherParticlesForAnotherSeed) {
+  const Sequence sequence = moving_sequence(1);
+  EXPECT_NE(track(*make("0", "1"), sequence)[0].best_camera_from_object.translation_mm,
+            track(*make("0", "2"), sequence)[0].best_camera_from_object.translation_mm);
+}
+
+TEST_P(UniversalTracking, StaysOnAStillImage) {
+  Sequence still = moving_sequence(1);
+  still.frames.resize(10, still.frames[0]);
+  const auto tracker = make();
+  for (const TrackResult& result : track(*tracker, still)) {
+    EXPECT_LT(center_distance_mm(*box(), result.camera_from_object, still.truth[0]),
+              GetParam().reach_mm);
+    EXPECT_LT(angle_deg(result.camera_from_object, still.truth[0]), GetParam().reach_deg);
+  }
+}
+
+TEST_P(UniversalTracking, SaysWhenTheObjectIsGone) {
+  Sequence sequence = moving_sequence(3);
+  cv::Mat empty(240, 320, CV_8UC1);
+  cv::RNG random(9);
+  for (int i = 0; i < 6; ++i) {
+    random.fill(empty, cv::RNG::NORMAL, 40, 1.5);
+    sequence.frames.push_back(frame_of(empty.clone(), 3 + i));
+  }
+  const auto tracker = make();
+  const auto results = track(*tracker, sequence);
+  EXPECT_EQ(results[2].status, TrackStatus::tracking);
+  EXPECT_EQ(results.back().status, TrackStatus::lost);
+  EXPECT_LT(results.back().quality, 0.25);
+  for (const TrackResult& result : results) {
+    EXPECT_TRUE(result.camera_from_object.is_finite());
+    EXPECT_TRUE(result.best_camera_from_object.is_finite());
+  }
+}
+
+TEST_P(UniversalTracking, SurvivesImagesThatAreFullOfEdges) {
+  Sequence sequence = moving_sequence(1);
+  cv::Mat noise(240, 320, CV_8UC1);
+  cv::RNG random(10);
+  random.fill(noise, cv::RNG::UNIFORM, 0, 256);
+  sequence.frames.assign(5, frame_of(noise, 0));
+  const auto tracker = make();
+  for (const TrackResult& result : track(*tracker, sequence)) {
+    EXPECT_TRUE(result.camera_from_object.is_finite());
+    EXPECT_GE(result.quality, 0);
+    EXPECT_LT(result.quality, 0.7) << "edges match by chance";
+  }
+}
+
+TEST_P(UniversalTracking, TakesColourFrames) {
+  Sequence sequence = moving_sequence(3);
+  for (Frame& frame : sequence.frames) {
+    cv::Mat colour;
+    cv::cvtColor(frame.image, colour, cv::COLOR_GRAY2BGR);
+    frame.image = colour;
+  }
+  const auto tracker = make();
+  const auto results = track(*tracker, sequence);
+  EXPECT_LT(center_distance_mm(*box(), results.back().camera_from_object, sequence.truth.back()),
+            GetParam().reach_mm);
+}
+
+TEST_P(UniversalTracking, LeavesTheFrameAsItIs) {
+  const Sequence sequence = moving_sequence(1);
+  const cv::Mat before = sequence.frames[0].image.clone();
+  track(*make(), sequence);
+  EXPECT_EQ(cv::countNonZero(before != sequence.frames[0].image), 0);
+}
+
+INSTANTIATE_TEST_SUITE_P(Mode, UniversalTracking,
+                         testing::Values(Mode{"default", "80", "3", 1.0, 0.5},
+                                         Mode{"thesis", "300", "4", 12, 6}),
+                         [](const auto& test) {
+                           return std::string(test.param.name) == "thesis" ? "Thesis" : "Default";
+                         });
+
+TEST(UniversalTrackerOfABowl, DoesNotTurnItAboutItsAxis) {
+  const auto bowl = test::make_bowl(50);
+  TrackerSetup setup = setup_for(bowl, {{"particles", "60"}, {"layers", "3"}});
+  setup.symmetry.axis = Eigen::Vector3d::UnitZ();
+  const auto tracker = make_plugin(tracker_plugins(), "tracker", "universal", setup);
+  const Pose truth = test::pose_with_center(
+      *bowl, rotation_from_axis_angle(Eigen::Vector3d::UnitX(), 2.4), {0, 0, 320});
+  tracker->reset(truth);
+  const RasterModel model(bowl, false);
+  for (int i = 0; i < 10; ++i) {
+    const auto result = tracker->track(
+        frame_of(test::photograph(model, test::small_camera(), truth, 40, 1.5, i), i));
+    EXPECT_LT(angle_deg(result.camera_from_object, truth), 1.5) << "frame " << i;
+  }
+}
+
+TEST(MakingAUniversalTracker, RefusesWrongSettings) {
+  EXPECT_THROW(make_tracker({{"particles", "0"}}), ConfigError);
+  EXPECT_THROW(make_tracker({{"mode", "fast"}}), ConfigError);
+}
+
+TEST(MakingAUniversalTracker, ListsTheScorersForAnUnknownOne) {
+  try {
+    make_tracker({{"scorer", "gpu"}});
+    FAIL() << "was made";
+  } catch (const ConfigError& error) {
+    EXPECT_NE(std::string(error.what()).find("unknown scorer 'gpu'; there are: cpu"),
+              std::string::npos)
+        << error.what();
+  }
+}
+
+TEST(MakingAUniversalTracker, NeedsAMeshACameraAndAScorer) {
+  EXPECT_THROW(make_universal_tracker(setup_for(nullptr, {})), ConfigError);
+  TrackerSetup setup = setup_for(box(), {});
+  setup.camera.fx_px = -1;
+  EXPECT_THROW(make_universal_tracker(setup), ConfigError);
+  setup = setup_for(box(), {});
+  setup.scorers.clear();
+  EXPECT_THROW(make_universal_tracker(setup), ConfigError);
+}
+
+TEST(UniversalTrackerTable, HasTheTrackerByItsName) {
+  const TrackerTable table = tracker_plugins();
+  ASSERT_EQ(table.size(), 1U);
+  EXPECT_EQ(table[0].name, "universal");
+  EXPECT_FALSE(table[0].summary.empty());
+  EXPECT_EQ(table[0].why_unavailable(), "");
+}
+
+}  // namespace
+}  // namespace anneal6d
