@@ -24,7 +24,7 @@ constexpr double kMostShading_px = 0.7;  // shift of an edge that stands alone
 constexpr double kCrowdedTrust = 0.5;
 constexpr double kBlindTrust = 0.1;
 constexpr double kSupport_px = 2.0;
-constexpr double kStartWeight_px2 = 2.0;  // variance of an edge's place, errors of neighbours alike
+constexpr double kStartWeight_px2 = 0.3;  // variance of an edge's place, errors of neighbours alike
 constexpr std::size_t kFewestPoints = 8;
 
 double square(double x) { return x * x; }
