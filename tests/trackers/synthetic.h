@@ -49,33 +49,27 @@ inline Drawing draw(const RasterModel& model, const CameraModel& camera, const P
 }
 
 /// What a camera would see before a plain background: drawn four times as densely, light mixed
-/// within each pixel, and encoded. `noise`: standard deviation in grey levels; `frame` varies it.
+/// within each pixel, and encoded; for levels of 11 and more. `noise`: standard deviation in grey
+/// levels; `frame` varies it.
 inline cv::Mat photograph(const RasterModel& model, const CameraModel& camera, const Pose& pose,
                           int background = 60, double noise = 0, int frame = 0) {
-  constexpr int kDensity = 4;
-  const Drawing dense = draw(model, camera.scaled(kDensity), pose);
+  Drawing dense = draw(model, camera.scaled(4), pose);
+  dense.grey.setTo(background, dense.depth_mm == 0);
   const auto levels = srgb_light_table();
-  cv::Mat light(dense.grey.size(), CV_32FC1), mixed;
-  for (int y = 0; y < light.rows; ++y) {
-    for (int x = 0; x < light.cols; ++x) {
-      const int level =
-          dense.depth_mm.at<float>(y, x) > 0 ? dense.grey.at<std::uint8_t>(y, x) : background;
-      light.at<float>(y, x) = levels[static_cast<std::size_t>(level)];
-    }
-  }
+  cv::Mat light, mixed, encoded;
+  cv::LUT(dense.grey, cv::Mat(1, 256, CV_32FC1, const_cast<float*>(levels.data())), light);
   cv::resize(light, mixed, {camera.width_px, camera.height_px}, 0, 0, cv::INTER_AREA);
-  cv::Mat deviations = cv::Mat::zeros(mixed.size(), CV_32FC1);
+  // encoded_srgb() of a whole image, but for its straight part near black.
+  cv::pow(mixed, 1 / 2.4, encoded);
+  encoded.convertTo(encoded, CV_32F, 255 * 1.055, 255 * -0.055);
   if (noise > 0) {
+    cv::Mat deviations(encoded.size(), CV_32FC1);
     cv::RNG random(static_cast<std::uint64_t>(frame) + 1);
     random.fill(deviations, cv::RNG::NORMAL, 0, noise);
+    encoded += deviations;
   }
-  cv::Mat image(mixed.size(), CV_8UC1);
-  for (int y = 0; y < image.rows; ++y) {
-    for (int x = 0; x < image.cols; ++x) {
-      image.at<std::uint8_t>(y, x) = cv::saturate_cast<std::uint8_t>(
-          255 * encoded_srgb(mixed.at<float>(y, x)) + deviations.at<float>(y, x));
-    }
-  }
+  cv::Mat image;
+  encoded.convertTo(image, CV_8U);
   return image;
 }
 
