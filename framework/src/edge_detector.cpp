@@ -21,21 +21,6 @@ constexpr double kLowToHigh = 0.4;
 constexpr int kMaxSobelThreshold = 254;
 constexpr int kMaxCannyThreshold = 10000;
 
-cv::Mat blurred(const cv::Mat& image, double sigma_px) {
-  if (sigma_px <= 0) return image;
-  cv::Mat result;
-  cv::GaussianBlur(image, result, {}, sigma_px, sigma_px, cv::BORDER_REPLICATE);
-  return result;
-}
-
-cv::Mat largest_channel(const cv::Mat& image) {
-  if (image.channels() == 1) return image;
-  cv::Mat flat = image.reshape(1, static_cast<int>(image.total()));
-  cv::Mat largest;
-  cv::reduce(flat, largest, 1, cv::REDUCE_MAX);
-  return largest.reshape(1, image.rows);
-}
-
 EdgeThresholds automatic_thresholds(const cv::Mat& gradient) {
   std::array<int, 256> histogram{};
   for (int row = 0; row < gradient.rows; ++row) {
@@ -86,54 +71,94 @@ void EdgeOptions::validate() const {
   }
 }
 
-cv::Mat gradient_magnitude(const cv::Mat& image, EdgeOperator op) {
+cv::Mat EdgeDetector::Scratch::image(cv::Size size, int type) {
+  const int wanted = static_cast<int>(CV_ELEM_SIZE(type)) * size.area();
+  if (bytes_.cols < wanted) bytes_.create(1, wanted, CV_8UC1);
+  return {size, type, bytes_.data};
+}
+
+cv::Mat EdgeDetector::blurred(const cv::Mat& image, double sigma_px) {
+  if (sigma_px <= 0) return image;
+  cv::Mat result = blurred_.image(image.size(), image.type());
+  cv::GaussianBlur(image, result, {}, sigma_px, sigma_px, cv::BORDER_REPLICATE);
+  return result;
+}
+
+/// Fills gx_ and gy_, 16 bits signed.
+void EdgeDetector::differentiate(const cv::Mat& image, EdgeOperator op) {
+  const int type = CV_MAKETYPE(CV_16S, image.channels());
+  gx_ = gx_scratch_.image(image.size(), type);
+  gy_ = gy_scratch_.image(image.size(), type);
   // Prewitt's kernel is the unweighted column sum, [1 1 1] across [-1 0 1].
   const cv::Matx13f difference(-1, 0, 1);
   const cv::Matx13f smooth =
       op == EdgeOperator::prewitt ? cv::Matx13f(1, 1, 1) : cv::Matx13f(1, 2, 1);
-  cv::Mat gx, gy;
-  cv::sepFilter2D(image, gx, CV_16S, difference, smooth, {-1, -1}, 0, cv::BORDER_REPLICATE);
-  cv::sepFilter2D(image, gy, CV_16S, smooth, difference, {-1, -1}, 0, cv::BORDER_REPLICATE);
-  cv::Mat magnitude_x, magnitude_y;
-  cv::convertScaleAbs(gx, magnitude_x);  // saturates at 255
-  cv::convertScaleAbs(gy, magnitude_y);
-  cv::max(magnitude_x, magnitude_y, magnitude_x);
-  return largest_channel(magnitude_x);
+  cv::sepFilter2D(image, gx_, CV_16S, difference, smooth, {-1, -1}, 0, cv::BORDER_REPLICATE);
+  cv::sepFilter2D(image, gy_, CV_16S, smooth, difference, {-1, -1}, 0, cv::BORDER_REPLICATE);
 }
 
-EdgeThresholds resolve_thresholds(const cv::Mat& image, const EdgeOptions& options) {
+/// Of gx_ and gy_.
+cv::Mat EdgeDetector::magnitude() {
+  const int channels = gx_.channels();
+  cv::Mat x = magnitude_x_.image(gx_.size(), CV_MAKETYPE(CV_8U, channels));
+  cv::Mat y = magnitude_y_.image(gx_.size(), CV_MAKETYPE(CV_8U, channels));
+  cv::convertScaleAbs(gx_, x);  // saturates at 255
+  cv::convertScaleAbs(gy_, y);
+  cv::max(x, y, x);
+  if (channels == 1) return x;
+  cv::Mat largest = largest_.image({1, static_cast<int>(x.total())}, CV_8UC1);
+  cv::reduce(x.reshape(1, largest.rows), largest, 1, cv::REDUCE_MAX);
+  return largest.reshape(1, x.rows);
+}
+
+cv::Mat EdgeDetector::gradient(const cv::Mat& image, EdgeOperator op) {
+  differentiate(image, op);
+  return magnitude();
+}
+
+/// Automatic ones are those of gx_ and gy_.
+EdgeThresholds EdgeDetector::resolved(const EdgeOptions& options) {
   EdgeThresholds thresholds;
   if (options.threshold) {
     thresholds.high = *options.threshold;
     thresholds.low = static_cast<int>(kLowToHigh * thresholds.high);
   } else {
-    thresholds =
-        automatic_thresholds(gradient_magnitude(blurred(image, options.blur_sigma_px), options.op));
+    thresholds = automatic_thresholds(magnitude());
   }
   if (options.low_threshold) thresholds.low = std::min(*options.low_threshold, thresholds.high);
   return thresholds;
 }
 
-EdgeImage detect_edges(const cv::Mat& image, const EdgeOptions& options) {
-  const cv::Mat smooth = blurred(image, options.blur_sigma_px);
-  EdgeOptions sharp = options;
-  sharp.blur_sigma_px = 0;
-  EdgeImage edges;
+EdgeThresholds EdgeDetector::thresholds(const cv::Mat& image, const EdgeOptions& options) {
+  if (!options.threshold) differentiate(blurred(image, options.blur_sigma_px), options.op);
+  return resolved(options);
+}
+
+void EdgeDetector::detect(const cv::Mat& image, const EdgeOptions& options, EdgeImage& edges) {
+  differentiate(blurred(image, options.blur_sigma_px), options.op);
   if (options.op == EdgeOperator::canny) {
-    const EdgeThresholds thresholds = resolve_thresholds(smooth, sharp);
-    cv::Canny(smooth, edges.binary, thresholds.low, thresholds.high);
+    const EdgeThresholds limits = resolved(options);
+    cv::Canny(gx_, gy_, edges.binary, limits.low, limits.high);
   } else {
-    const cv::Mat gradient = gradient_magnitude(smooth, options.op);
-    const int threshold =
-        options.threshold ? *options.threshold : automatic_thresholds(gradient).high;
-    cv::threshold(gradient, edges.binary, threshold, 255, cv::THRESH_BINARY);
+    const cv::Mat strength = magnitude();
+    const int limit = options.threshold ? *options.threshold : automatic_thresholds(strength).high;
+    cv::threshold(strength, edges.binary, limit, 255, cv::THRESH_BINARY);
   }
   if (options.dilation_px > 0) {
     const int side_px = 2 * options.dilation_px + 1;
     cv::dilate(edges.binary, edges.binary,
                cv::getStructuringElement(cv::MORPH_RECT, {side_px, side_px}));
   }
+}
+
+EdgeImage detect_edges(const cv::Mat& image, const EdgeOptions& options) {
+  EdgeImage edges;
+  EdgeDetector().detect(image, options, edges);
   return edges;
+}
+
+EdgeThresholds resolve_thresholds(const cv::Mat& image, const EdgeOptions& options) {
+  return EdgeDetector().thresholds(image, options);
 }
 
 }  // namespace anneal6d

@@ -6,6 +6,7 @@
 
 #include <opencv2/imgproc.hpp>
 #include <string>
+#include <vector>
 
 #include "anneal6d/framework/error.h"
 
@@ -25,6 +26,10 @@ cv::Mat noise(double sigma) {
   cv::RNG random(5);
   random.fill(image, cv::RNG::NORMAL, 128, sigma);
   return image;
+}
+
+cv::Mat gradient_magnitude(const cv::Mat& image, EdgeOperator op) {
+  return EdgeDetector().gradient(image, op).clone();
 }
 
 int different_pixels(const cv::Mat& a, const cv::Mat& b) { return cv::countNonZero(a != b); }
@@ -191,6 +196,48 @@ TEST(AutomaticThreshold, GivesCannyBothThresholds) {
   const EdgeThresholds thresholds = resolve_thresholds(noise(20), {.op = EdgeOperator::canny});
   EXPECT_GT(thresholds.high, 24);
   EXPECT_EQ(thresholds.low, static_cast<int>(0.4 * thresholds.high));
+}
+
+TEST(EdgeDetector, FindsTheSameInAnyOrderOfImages) {
+  // Larger and smaller, grey and colour: what is left of the image before must not show.
+  cv::Mat colour;
+  cv::cvtColor(noise(20), colour, cv::COLOR_GRAY2BGR);
+  const std::vector<cv::Mat> images{noise(30), step(90), colour, noise(25)(cv::Rect(3, 5, 31, 17)),
+                                    noise(15)};
+  EdgeDetector detector;
+  for (const auto op : {EdgeOperator::sobel, EdgeOperator::prewitt, EdgeOperator::canny}) {
+    for (const double blur_sigma_px : {0.0, 1.2}) {
+      for (const cv::Mat& image : images) {
+        const EdgeOptions options{.op = op, .blur_sigma_px = blur_sigma_px, .dilation_px = 1};
+        EdgeImage edges;
+        detector.detect(image, options, edges);
+        EXPECT_EQ(different_pixels(edges.binary, detect_edges(image, options).binary), 0)
+            << to_string(op) << ", " << image.size();
+      }
+    }
+  }
+}
+
+TEST(EdgeDetector, AllocatesNoImageAgainForOneThatIsNoLarger) {
+  EdgeDetector detector;
+  EdgeImage edges;
+  const EdgeOptions options{.threshold = 40, .blur_sigma_px = 1, .dilation_px = 1};
+  detector.detect(noise(20), options, edges);
+  const std::uint8_t* const gradient = detector.gradient(noise(20), EdgeOperator::sobel).data;
+  const std::uint8_t* const binary = edges.binary.data;
+  detector.detect(noise(20), options, edges);
+  EXPECT_EQ(edges.binary.data, binary);
+  EXPECT_EQ(detector.gradient(step(60), EdgeOperator::sobel).data, gradient);
+}
+
+TEST(DetectingEdgesByCanny, IsOpenCVsCanny) {
+  for (const cv::Mat& image : {noise(20), step(200)}) {
+    cv::Mat expected;
+    cv::Canny(image, expected, 80, 200);
+    const EdgeOptions options{.op = EdgeOperator::canny, .threshold = 200, .low_threshold = 80};
+    EXPECT_EQ(different_pixels(detect_edges(image, options).binary, expected), 0);
+    EXPECT_GT(cv::countNonZero(expected), 0);
+  }
 }
 
 TEST(EdgeOperatorName, ComesBack) {

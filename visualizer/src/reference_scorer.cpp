@@ -41,9 +41,9 @@ void ReferenceScorer::score(std::span<const Pose> camera_from_object,
   for (std::size_t i = 0; i < camera_from_object.size(); ++i) {
     renderer_.render_color(camera_from_object[i], shading_, color_);  // thesis Fig. 4.5
     cv::cvtColor(color_, grey_, cv::COLOR_BGR2GRAY);                  // thesis 4.2.2
-    const EdgeImage rendered = detect_edges(grey_, edge_options_);    // thesis Fig. 4.6
-    cv::bitwise_and(rendered.binary, frame_edges_, matched_);         // thesis Fig. 4.7
-    matches[i] = {cv::countNonZero(rendered.binary), cv::countNonZero(matched_)};  // thesis Alg. 4
+    edge_detector_.detect(grey_, edge_options_, rendered_);           // thesis Fig. 4.6
+    cv::bitwise_and(rendered_.binary, frame_edges_, matched_);        // thesis Fig. 4.7
+    matches[i] = {cv::countNonZero(rendered_.binary), cv::countNonZero(matched_)};  // thesis Alg. 4
   }
 }
 

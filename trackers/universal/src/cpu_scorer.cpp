@@ -22,6 +22,8 @@ namespace {
 struct Workspace {
   Rasterizer rasterizer;
   cv::Mat grey, depth_mm;
+  EdgeDetector edge_detector;
+  EdgeImage edges;
 };
 
 class CpuScorer final : public PoseScorer {
@@ -31,7 +33,7 @@ class CpuScorer final : public PoseScorer {
         camera_(setup.camera),
         edges_(setup.edges),
         workspaces_([this, shading = setup.shading] {
-          return Workspace{Rasterizer(model_, camera_, shading), {}, {}};
+          return Workspace{Rasterizer(model_, camera_, shading), {}, {}, {}, {}};
         }),
         arena_(setup.threads > 0 ? setup.threads : tbb::task_arena::automatic) {}
 
@@ -72,7 +74,8 @@ class CpuScorer final : public PoseScorer {
     if (fused) return workspace.rasterizer.count_edges(frame_packed_, edges_);
 
     workspace.rasterizer.take_images(workspace.grey, workspace.depth_mm);
-    cv::Mat edges = detect_edges(workspace.grey, edges_).binary;
+    workspace.edge_detector.detect(workspace.grey, edges_, workspace.edges);
+    cv::Mat& edges = workspace.edges.binary;
     EdgeMatch match;
     match.rendered = cv::countNonZero(edges);
     cv::bitwise_and(edges, frame_binary_({region.x, region.y, region.width, region.height}), edges);

@@ -31,21 +31,52 @@ struct EdgeOptions {
   void validate() const;
 };
 
-/// Thresholds for `gradient` (as of `gradient_magnitude`): `high` such that the strongest
-/// tenth of the pixels passes, at least 24 grey levels; low is 0.4 of it.
+/// `high` such that the strongest tenth of the gradient's pixels passes, at least 24 grey levels;
+/// low is 0.4 of it. Or what `EdgeOptions` give.
 struct EdgeThresholds {
   int low = 0;
   int high = 0;
 };
 
-/// min(max(|Gx|, |Gy|), 255) per pixel (Alg. 4), CV_8UC1, with Sobel's or Prewitt's kernels and
-/// replicated borders; for colour the largest of the channels. `image`: CV_8UC1 or CV_8UC3.
-cv::Mat gradient_magnitude(const cv::Mat& image, EdgeOperator op);
+/// Detects edges image after image. It keeps its intermediate images, so that it allocates none
+/// once it has met the largest (but for OpenCV's Canny, which has one of its own). Images are
+/// CV_8UC1 or CV_8UC3, their distortion removed. One thread at a time.
+class EdgeDetector {
+ public:
+  /// Blur, operator, threshold, dilation, into `edges.binary`: in place if that has the image's
+  /// size already, so that whoever shares its pixels sees them change.
+  void detect(const cv::Mat& image, const EdgeOptions& options, EdgeImage& edges);
 
-/// The thresholds that `options` mean for `image`: those given, or automatic ones.
-EdgeThresholds resolve_thresholds(const cv::Mat& image, const EdgeOptions& options);
+  /// The thresholds that `options` mean for `image`: those given, or automatic ones.
+  EdgeThresholds thresholds(const cv::Mat& image, const EdgeOptions& options);
 
-/// Blur, operator, threshold, dilation. `image`: CV_8UC1 or CV_8UC3, distortion removed.
+  /// min(max(|Gx|, |Gy|), 255) per pixel (Alg. 4), CV_8UC1, with Sobel's or Prewitt's kernels and
+  /// replicated borders; for colour the largest of the channels. Overwritten by the next call.
+  cv::Mat gradient(const cv::Mat& image, EdgeOperator op);
+
+ private:
+  /// Memory for an image of changing size and type; grows and never shrinks.
+  class Scratch {
+   public:
+    cv::Mat image(cv::Size size, int type);
+
+   private:
+    cv::Mat bytes_;
+  };
+
+  cv::Mat blurred(const cv::Mat& image, double sigma_px);
+  void differentiate(const cv::Mat& image, EdgeOperator op);
+  cv::Mat magnitude();
+  EdgeThresholds resolved(const EdgeOptions& options);
+
+  Scratch blurred_, gx_scratch_, gy_scratch_, magnitude_x_, magnitude_y_, largest_;
+  cv::Mat gx_, gy_;
+};
+
+/// `EdgeDetector::detect` for a single image.
 EdgeImage detect_edges(const cv::Mat& image, const EdgeOptions& options);
+
+/// `EdgeDetector::thresholds` for a single image.
+EdgeThresholds resolve_thresholds(const cv::Mat& image, const EdgeOptions& options);
 
 }  // namespace anneal6d

@@ -25,7 +25,10 @@ class ReferenceScorer final : public PoseScorer {
   EdgeOptions edge_options_;
   Shading shading_;
   cv::Mat frame_edges_;
-  cv::Mat color_, grey_, matched_;  // kept between poses to save allocations
+  // Kept between poses to save allocations.
+  EdgeDetector edge_detector_;
+  cv::Mat color_, grey_, matched_;
+  EdgeImage rendered_;
 };
 
 namespace visualizer {
