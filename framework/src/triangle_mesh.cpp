@@ -5,21 +5,18 @@
 #include <Eigen/Geometry>
 #include <algorithm>
 #include <cmath>
-#include <map>
-#include <numbers>
 #include <opencv2/imgproc.hpp>
 #include <string>
-#include <tuple>
 #include <unordered_map>
 
 #include "anneal6d/framework/error.h"
+#include "smooth_normals.h"
 
 namespace anneal6d {
 namespace {
 
 constexpr float kWeldTolerance = 1e-5F;    // of the diameter
 constexpr float kDegenerateArea = 1e-12F;  // of the squared diameter
-constexpr double kCreaseAngle_rad = 40.0 * std::numbers::pi / 180.0;
 
 void check(const std::vector<MeshVertex>& vertices, const std::vector<Triangle>& triangles,
            const cv::Mat& texture) {
@@ -84,62 +81,6 @@ std::vector<std::uint32_t> weld(const std::vector<MeshVertex>& vertices, float t
     if (first[i] == i) grid[cell_of(p)].push_back(i);
   }
   return first;
-}
-
-Eigen::Vector3f scaled_normal(const std::vector<MeshVertex>& vertices, const Triangle& t) {
-  const Eigen::Vector3f& a = vertices[t[0]].position_mm;
-  return (vertices[t[1]].position_mm - a).cross(vertices[t[2]].position_mm - a);
-}
-
-float corner_angle_rad(const std::vector<MeshVertex>& vertices, const Triangle& t, int corner) {
-  const Eigen::Vector3f& p = vertices[t[corner]].position_mm;
-  const Eigen::Vector3f a = (vertices[t[(corner + 1) % 3]].position_mm - p).normalized();
-  const Eigen::Vector3f b = (vertices[t[(corner + 2) % 3]].position_mm - p).normalized();
-  return std::acos(std::clamp(a.dot(b), -1.0F, 1.0F));
-}
-
-/// Gives every corner whose vertex has no normal a smoothed one, splitting vertices at creases.
-void add_missing_normals(std::vector<MeshVertex>& vertices, std::vector<Triangle>& triangles,
-                         const std::vector<std::uint32_t>& welded) {
-  struct Corner {
-    std::uint32_t triangle;
-    float angle_rad;
-  };
-  std::vector<std::vector<Corner>> around(vertices.size());
-  std::vector<Eigen::Vector3f> face_normals(triangles.size());
-  for (std::uint32_t t = 0; t < triangles.size(); ++t) {
-    face_normals[t] = scaled_normal(vertices, triangles[t]).normalized();
-    for (int c = 0; c < 3; ++c) {
-      around[welded[triangles[t][c]]].push_back({t, corner_angle_rad(vertices, triangles[t], c)});
-    }
-  }
-
-  const float crease_cosine = static_cast<float>(std::cos(kCreaseAngle_rad));
-  std::map<std::tuple<std::uint32_t, int, int, int>, std::uint32_t> made;
-  const std::size_t given = vertices.size();
-  for (std::uint32_t t = 0; t < triangles.size(); ++t) {
-    for (std::uint32_t& corner : triangles[t]) {
-      if (corner < given && !vertices[corner].normal.isZero()) continue;
-      Eigen::Vector3f sum = Eigen::Vector3f::Zero();
-      for (const Corner& neighbour : around[welded[corner]]) {
-        const Eigen::Vector3f& normal = face_normals[neighbour.triangle];
-        const float cosine = normal.dot(face_normals[t]);
-        if (std::abs(cosine) < crease_cosine) continue;
-        // Winding is not trusted: a neighbour turned the other way counts with its sign flipped.
-        sum += (cosine < 0 ? -neighbour.angle_rad : neighbour.angle_rad) * normal;
-      }
-      const Eigen::Vector3f normal = sum.normalized();
-      const Eigen::Vector3i key = (normal * 1000.0F).array().round().cast<int>();
-      const auto next = static_cast<std::uint32_t>(vertices.size());
-      const auto [entry, is_new] = made.try_emplace({corner, key[0], key[1], key[2]}, next);
-      if (is_new) {
-        MeshVertex vertex = vertices[corner];
-        vertex.normal = normal;
-        vertices.push_back(vertex);
-      }
-      corner = entry->second;
-    }
-  }
 }
 
 /// Drops vertices that no triangle uses, keeping the order.

@@ -4,6 +4,7 @@
 
 #include <gtest/gtest.h>
 
+#include <Eigen/Geometry>
 #include <cmath>
 #include <limits>
 #include <numbers>
@@ -83,6 +84,43 @@ TEST(MissingNormals, AreUnitAndAcrossTheirFace) {
       EXPECT_NEAR(corner(c).normal.dot(along.normalized()), 0, 1e-6);
     }
   }
+}
+
+/// A cone of `count` triangles around its tip, the normals 60 degrees away from its axis, every
+/// third one wound the wrong way.
+TriangleMesh cone(std::uint32_t count) {
+  std::vector<MeshVertex> vertices{at(0, 0, 0)};
+  std::vector<Triangle> triangles;
+  for (std::uint32_t i = 0; i < count; ++i) {
+    const double angle = 2 * std::numbers::pi * i / count;
+    vertices.push_back(at(static_cast<float>(50 * std::cos(angle)),
+                          static_cast<float>(50 * std::sin(angle)),
+                          static_cast<float>(50 * std::tan(std::numbers::pi / 3))));
+    const std::uint32_t here = i + 1, next = (i + 1) % count + 1;
+    triangles.push_back(i % 3 == 0 ? Triangle{0, here, next} : Triangle{0, next, here});
+  }
+  return TriangleMesh(vertices, triangles);
+}
+
+TEST(MissingNormals, AtTheTipOfAConeAreTheSameForAnyNumberOfTriangles) {
+  // A tip's normal lies in the plane of the axis and the middle of its face. With 200,000 of them
+  // it must not take the square of that number, either.
+  const auto largest_tilt = [](const TriangleMesh& mesh) {
+    float largest = 0;
+    for (const Triangle& t : mesh.triangles()) {
+      const MeshVertex& tip = mesh.vertices()[t[0]];
+      EXPECT_LT(tip.position_mm.norm(), 1e-6F);
+      const Eigen::Vector3f middle =
+          0.5F * (mesh.vertices()[t[1]].position_mm + mesh.vertices()[t[2]].position_mm);
+      const Eigen::Vector3f aside = Eigen::Vector3f::UnitZ().cross(middle).normalized();
+      largest = std::max(largest, std::abs(tip.normal.dot(aside)));
+      EXPECT_NEAR(std::abs(tip.normal.z()), 0.55, 0.05);
+    }
+    return largest;
+  };
+  EXPECT_LT(largest_tilt(cone(240)), 0.02);
+  EXPECT_LT(largest_tilt(cone(300)), 0.06);
+  EXPECT_LT(largest_tilt(cone(200000)), 0.06);
 }
 
 TEST(GivenNormals, AreKeptAndNormalised) {
