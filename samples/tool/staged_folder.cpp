@@ -23,7 +23,8 @@ void move_file(const fs::path& from, const fs::path& to) {
 
 }  // namespace
 
-StagedFolder::StagedFolder(fs::path target) : target_(fs::absolute(target).lexically_normal()) {
+StagedFolder::StagedFolder(const fs::path& target)
+    : target_(fs::absolute(target).lexically_normal()) {
   if (!target_.has_filename()) target_ = target_.parent_path();  // "results/"
   std::error_code error;
   if (fs::exists(target_, error) && !fs::is_directory(target_, error)) {

@@ -11,7 +11,7 @@ namespace anneal6d {
 class StagedFolder {
  public:
   /// Throws FileError if `target` is a file or its parent cannot be written.
-  explicit StagedFolder(std::filesystem::path target);
+  explicit StagedFolder(const std::filesystem::path& target);
   ~StagedFolder();
   StagedFolder(const StagedFolder&) = delete;
   StagedFolder& operator=(const StagedFolder&) = delete;
