@@ -17,13 +17,18 @@ namespace {
 
 constexpr double kInfinity = std::numeric_limits<double>::infinity();
 
-std::vector<double> rated(RatingRule rule, const std::vector<EdgeMatch>& matches) {
-  RatingOptions options;
-  options.rule = rule;
+std::vector<double> rated(const RatingOptions& options, const std::vector<EdgeMatch>& matches) {
   std::vector<double> log_likelihoods(matches.size(), 123.0);
   rate(options, matches, log_likelihoods);
   return log_likelihoods;
 }
+
+std::vector<double> rated(RatingRule rule, const std::vector<EdgeMatch>& matches) {
+  return rated(RatingOptions{.rule = rule}, matches);
+}
+
+/// The constants of the thesis's example (4.2.3).
+const RatingOptions kOfTheThesis{.rule = RatingRule::normalized, .c1 = 0.4, .c2 = 2, .c3 = 4};
 
 TEST(MatchRatio, IsTheMatchedShare) {
   EXPECT_DOUBLE_EQ(match_ratio({200, 50}), 0.25);
@@ -39,22 +44,21 @@ TEST(RatioRating, IsAlgorithm4) {
 
 TEST(NormalizedRating, IsAlgorithm5) {
   // Rendered 200..400 and matched 50..250: the middle pose is at 1/2 and 1/4 of the ranges.
-  const auto values = rated(RatingRule::normalized, {{200, 50}, {300, 100}, {400, 250}});
+  const auto values = rated(kOfTheThesis, {{200, 50}, {300, 100}, {400, 250}});
   EXPECT_DOUBLE_EQ(values[0], -20 * (1 - 0.4 * 0.25));
   EXPECT_DOUBLE_EQ(values[1], -20 * (1 - (0.4 / 3 + 2.0 / 16 + 4.0 / 4)));
   EXPECT_DOUBLE_EQ(values[2], -20 * (1 - (0.4 * 0.625 + 2 + 4)));
 }
 
 TEST(NormalizedRating, UsesItsConstants) {
-  RatingOptions options{.rule = RatingRule::normalized, .c = 3, .c1 = 0.5, .c2 = 0.25, .c3 = 0.125};
-  const std::vector<EdgeMatch> matches{{100, 10}, {200, 50}};
-  std::vector<double> values(2);
-  rate(options, matches, values);
+  const RatingOptions options{
+      .rule = RatingRule::normalized, .c = 3, .c1 = 0.5, .c2 = 0.25, .c3 = 0.125};
+  const auto values = rated(options, {{100, 10}, {200, 50}});
   EXPECT_DOUBLE_EQ(values[1], -3 * (1 - (0.5 * 0.25 + 0.25 + 0.125)));
 }
 
 TEST(NormalizedRating, ComparesNothingWhereAllAreEqual) {
-  const auto values = rated(RatingRule::normalized, {{100, 50}, {100, 50}});
+  const auto values = rated(kOfTheThesis, {{100, 50}, {100, 50}});
   EXPECT_DOUBLE_EQ(values[0], -20 * (1 - 0.4 * 0.5));
   EXPECT_EQ(values[0], values[1]);
 }
@@ -69,8 +73,21 @@ TEST(RatioRating, PrefersTheTiltedCupAsTheThesisFound) {
 }
 
 TEST(NormalizedRating, PrefersTheBetterCup) {
-  const auto values = rated(RatingRule::normalized, kTiltedAndBetter);
-  EXPECT_LT(values[0], values[1]);
+  for (const RatingOptions& options : {kOfTheThesis, {.rule = RatingRule::normalized}}) {
+    const auto values = rated(options, kTiltedAndBetter);
+    EXPECT_LT(values[0], values[1]) << "c3 = " << options.c3;
+  }
+}
+
+TEST(NormalizedRating, IsNotWonByANearPoseThatHardlyMatches) {
+  const std::vector<EdgeMatch> right_near_far{{500, 480}, {700, 430}, {300, 285}};
+  const auto values = rated(RatingRule::normalized, right_near_far);
+  EXPECT_GT(values[0], values[1] + 1);
+  EXPECT_GT(values[0], values[2] + 1);
+  for (const double value : values) EXPECT_LE(value, 0);
+  // As it is with the constants of the thesis, which is why they are not the default.
+  const auto of_the_thesis = rated(kOfTheThesis, right_near_far);
+  EXPECT_LT(of_the_thesis[0], of_the_thesis[1]);
 }
 
 TEST(BalancedRating, HardlyTellsTheTwoCupsApart) {

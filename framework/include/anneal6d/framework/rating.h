@@ -17,12 +17,16 @@ enum class RatingRule {
 
 /// Constants of the rules. The terms of `normalized` are pi_1 = matched/rendered of the raw counts,
 /// pi_2 = (normalised matched)^2, pi_3 = (normalised rendered)^2 (thesis 4.2.3).
+///
+/// The thesis's example for two poses, c1 = 0.4, c2 = 2, c3 = 4, does not track: pi_3 pays for
+/// rendered pixels whether they match or not, so that each layer is won by the pose nearest to the
+/// camera. The defaults do without it and sum to 1, so that likelihoods stay at most 1.
 struct RatingOptions {
   RatingRule rule = RatingRule::balanced;
   double c = 20.0;  ///< steepness, > 0
-  double c1 = 0.4;  ///< weights of the terms of `normalized`, >= 0
-  double c2 = 2.0;
-  double c3 = 4.0;
+  double c1 = 0.6;  ///< weights of the terms of `normalized`, >= 0
+  double c2 = 0.4;
+  double c3 = 0.0;
 
   /// Throws ConfigError naming the bad field.
   void validate() const;
