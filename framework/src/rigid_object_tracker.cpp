@@ -48,8 +48,13 @@ void RigidObjectTracker::reset(const Pose& camera_from_object) {
   started_ = true;
 }
 
-TrackResult RigidObjectTracker::track(const Frame& frame) {
-  if (!started_) throw ConfigError("track() needs an initial pose: call reset() first");
+void RigidObjectTracker::reset(const Pose& camera_from_object, const Frame& frame) {
+  check(frame);
+  reset(camera_from_object);
+  on_shown(undistort_(frame.image));
+}
+
+void RigidObjectTracker::check(const Frame& frame) const {
   const cv::Mat& image = frame.image;
   if (image.type() != CV_8UC1 && image.type() != CV_8UC3) {
     throw ConfigError("frame " + std::to_string(frame.index) +
@@ -61,10 +66,14 @@ TrackResult RigidObjectTracker::track(const Frame& frame) {
                       std::to_string(camera_.width_px) + "x" + std::to_string(camera_.height_px) +
                       "; calibrate at the size of the images");
   }
+}
 
+TrackResult RigidObjectTracker::track(const Frame& frame) {
+  if (!started_) throw ConfigError("track() needs an initial pose: call reset() first");
+  check(frame);
   TrackResult result;
   Stopwatch watch;
-  preprocess(undistort_(image));
+  preprocess(undistort_(frame.image));
   result.timings.preprocess_ms = watch.lap_ms();
   estimate(result);
   result.timings.estimate_ms = watch.lap_ms();

@@ -232,7 +232,7 @@ void ContourExtractor::add_texture_edges(const View& view, double spacing_px,
       const Eigen::Vector3d camera_mm((image_px.x() - view.camera.cx_px) / view.camera.fx_px * z_mm,
                                       (image_px.y() - view.camera.cy_px) / view.camera.fy_px * z_mm,
                                       z_mm);
-      points.push_back({object_from_camera * camera_mm, normal, false});
+      points.push_back({object_from_camera * camera_mm, normal, false, true});
     }
   }
 }

@@ -21,6 +21,8 @@ struct ContourPoint {
   /// Another edge runs beside this one so closely that the image blurs both together, as at the rim
   /// of a cup: the place of either is uncertain.
   bool crowded = false;
+  /// Of the texture: the surface gets brighter along the normal under any light.
+  bool texture = false;
 };
 
 /// Finds the edges of a mesh that a camera sees under any light: silhouettes and creases, straight

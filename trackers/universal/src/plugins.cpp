@@ -4,6 +4,7 @@
 
 #include "anneal6d/trackers/universal_tracker.h"
 #include "cpu_scorer.h"
+#include "sparse_scorer.h"
 
 namespace anneal6d {
 namespace {
@@ -19,7 +20,9 @@ TrackerTable tracker_plugins() {
 
 ScorerTable cpu_scorer_plugins() {
   return {{"cpu", "exact, own rasterizer and edge counting on all cores, no GPU", always_available,
-           make_cpu_scorer}};
+           make_cpu_scorer},
+          {"sparse", "edge points of precomputed views, projected and looked up: the quickest",
+           always_available, make_sparse_scorer}};
 }
 
 }  // namespace anneal6d

@@ -38,6 +38,13 @@ void PoseFilter::measure(std::span<const Pose> states, std::span<double> log_lik
   for (std::size_t i = 0; i < states.size(); ++i) camera_from_object_[i] = to_object(states[i]);
   scorer_.score(camera_from_object_, matches_);
   rate(rating_, matches_, log_likelihoods);
+  if (region_ && layer_.region_weight > 0) {
+    agreements_.resize(states.size());
+    region_->score(camera_from_object_, agreements_);
+    for (std::size_t i = 0; i < states.size(); ++i) {
+      log_likelihoods[i] -= layer_.region_weight * (1.0 - agreements_[i]);
+    }
+  }
   if (layer_.expectation > 0) {
     for (std::size_t i = 0; i < states.size(); ++i) {
       const Twist deviation =

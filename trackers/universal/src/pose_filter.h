@@ -9,6 +9,7 @@
 #include "anneal6d/framework/particle_filter.h"
 #include "anneal6d/framework/pose_scorer.h"
 #include "anneal6d/framework/rating.h"
+#include "region_cue.h"
 #include "twist.h"
 
 namespace anneal6d {
@@ -33,10 +34,15 @@ class PoseFilter final : public ParticleFilter<Pose> {
     /// Share of particles to stay effective, by raising the weights to a power (Deutscher et al.
     /// 2000); 0: weights as rated.
     double survival_rate = 0;
+    /// Weight of the colours beside the edges, as the rating's c; 0: none.
+    double region_weight = 0;
   };
 
   /// `scorer` outlives the filter. `center_mm`: the centre of the object, object frame.
   PoseFilter(PoseScorer& scorer, const RatingOptions& rating, const Eigen::Vector3d& center_mm);
+
+  /// Colours to rate poses by, beside the scorer; outlives the filter.
+  void set_region_cue(const RegionCue& region) { region_ = &region; }
 
   void set_layer(const Layer& layer) { layer_ = layer; }
 
@@ -58,7 +64,9 @@ class PoseFilter final : public ParticleFilter<Pose> {
   PoseScorer& scorer_;
   RatingOptions rating_;
   Eigen::Vector3d center_mm_;
+  const RegionCue* region_ = nullptr;
   Layer layer_;
+  std::vector<double> agreements_;
   std::vector<Pose> camera_from_object_;
   std::vector<EdgeMatch> matches_;
 };

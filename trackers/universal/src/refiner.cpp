@@ -4,238 +4,228 @@
 
 #include <Eigen/Dense>
 #include <algorithm>
-#include <array>
 #include <cmath>
-#include <limits>
 #include <opencv2/imgproc.hpp>
-
-#include "anneal6d/framework/srgb.h"
 
 namespace anneal6d {
 namespace {
 
-constexpr double kSpacing_px = 3.0;
-constexpr double kBlurSigma_px = 1.0;
-constexpr int kMaxReach_px = 32;
-constexpr double kFaintest = 2.5;      // grey levels a pixel: weaker slopes are no edge
-constexpr double kHalfStrength = 4.0;  // slope at which an edge counts half of a strong one
-constexpr int kRenderedReach_px = 2;
-constexpr double kMostShading_px = 0.7;  // shift of an edge that stands alone
-constexpr double kCrowdedTrust = 0.5;
-constexpr double kBlindTrust = 0.1;
+constexpr std::size_t kCoarsePoints = 100;
+constexpr std::size_t kAllPoints = 240;
+constexpr int kRounds = 4;
+constexpr int kStepsPerRound = 3;
+constexpr double kFinestReach_px = 2.5;
+constexpr double kHalfStrength = 4.0;  // slope at which an edge weighs half of a strong one
 constexpr double kSupport_px = 2.0;
-constexpr double kStartWeight_px2 = 0.3;  // variance of an edge's place, errors of neighbours alike
 constexpr std::size_t kFewestPoints = 8;
+constexpr double kNearest_mm = 1.0;
+constexpr double kFeigned = 0.005;
+constexpr int kColourGap_px = 2;  // blurred edges are of neither colour
+constexpr int kColourReach_px = 12;
 
 double square(double x) { return x * x; }
 
-/// Cameras mix light within a pixel and encode the mixture afterwards, so that the slope of grey
-/// levels across a step from level a to level b is centred off the step, on its dark side, by up to
-/// 0.19 px: bright objects look large and near. For a pixel that mixes evenly, integration by parts
-/// gives the offset (mean(a, b) - mean level over the mixtures) / (b - a), counted from a towards
-/// b.
-class EncodingBias {
- public:
-  EncodingBias() : light_(srgb_light_table()) {
-    // Integral of the encoded value over light, by trapezoids between grey levels.
-    for (std::size_t i = 1; i < integral_.size(); ++i) {
-      const double middle = (static_cast<double>(i) - 0.5) / 255.0;
-      integral_[i] = integral_[i - 1] + middle * (light_[i] - light_[i - 1]);
-    }
-  }
-
-  /// In pixels; `a` and `b` in grey levels.
-  double operator()(double a, double b) const {
-    const auto i = static_cast<std::size_t>(std::clamp(std::lround(a), 0L, 255L));
-    const auto j = static_cast<std::size_t>(std::clamp(std::lround(b), 0L, 255L));
-    if (i == j) return 0.0;
-    const double mean_level = (integral_[j] - integral_[i]) / (light_[j] - light_[i]);
-    const double low = static_cast<double>(i) / 255.0, high = static_cast<double>(j) / 255.0;
-    return (0.5 * (low + high) - mean_level) / (high - low);
-  }
-
- private:
-  std::array<float, 256> light_;
-  std::array<double, 256> integral_{};
-};
-
 }  // namespace
 
-Refiner::Refiner(const RasterModel& model, const CameraModel& camera)
-    : model_(model),
-      camera_(camera),
-      rasterizer_(model, camera, Shading{}),
-      contour_(*model.mesh) {}
+Refiner::Refiner(const ViewModel& views, const CameraModel& camera)
+    : views_(views), camera_(camera) {}
 
-void Refiner::set_image(const cv::Mat& image, const Pose& expected_camera_from_object) {
-  const double margin_px = kMaxReach_px + 40;
-  const Eigen::Vector3d center =
-      expected_camera_from_object * model_.mesh->center_mm().cast<double>();
-  cv::Rect window(0, 0, camera_.width_px, camera_.height_px);
-  if (center.z() > 2 * model_.mesh->radius_mm()) {
-    const Eigen::Vector2d middle = camera_.project(center);
-    const double radius_px =
-        camera_.fx_px * model_.mesh->radius_mm() / (center.z() - model_.mesh->radius_mm()) +
-        margin_px;
-    window &= cv::Rect(cv::Point(static_cast<int>(middle.x() - radius_px),
-                                 static_cast<int>(middle.y() - radius_px)),
-                       cv::Size(static_cast<int>(2 * radius_px), static_cast<int>(2 * radius_px)));
-  }
-  window_ = window;
+void Refiner::set_image(const cv::Mat& image, const cv::Rect& window) {
+  window_ = window & cv::Rect(0, 0, image.cols, image.rows);
+  if (window_.width < 4 || window_.height < 4) window_ = {};
   if (window_.empty()) return;
-  cv::GaussianBlur(image(window_), smooth_, {}, kBlurSigma_px, kBlurSigma_px, cv::BORDER_REPLICATE);
+  cv::GaussianBlur(image(window_), smooth_, {5, 5}, kEdgeBlur_px, kEdgeBlur_px,
+                   cv::BORDER_REPLICATE);
 }
 
-void Refiner::see(const Pose& camera_from_object) {
+void Refiner::project(const Pose& camera_from_object, std::size_t most_points) {
   targets_.clear();
-  const Region region = rasterizer_.draw(camera_from_object, 8);
-  if (region.empty()) return;
-  rasterizer_.take_images(grey_, depth_mm_);
-  contour_.extract({camera_from_object, camera_, region, grey_, depth_mm_}, kSpacing_px,
-                   !model_.textures.empty(), points_);
-  cv::GaussianBlur(grey_, smooth_grey_, {}, kBlurSigma_px, kBlurSigma_px, cv::BORDER_REPLICATE);
-  for (const ContourPoint& point : points_) {
-    // Blur pushes edges that run side by side apart, and shading pulls a silhouette inwards; it
-    // does the same to the rendered picture.
-    const Observation rendered = observe({smooth_grey_, {region.x, region.y}},
-                                         camera_.project(camera_from_object * point.object_mm),
-                                         point.normal, kRenderedReach_px, false);
-    const double most_px = point.crowded ? kRenderedReach_px : kMostShading_px;
-    const bool seen = std::abs(rendered.offset_px) < most_px;  // false for NaN
-    Target target{point, seen ? rendered.offset_px : 0.0, 1.0};
-    if (point.crowded) target.trust = seen ? kCrowdedTrust : kBlindTrust;
+  const ModelView& view = views_.seen_from(camera_from_object);
+  const Eigen::Matrix3d rotation = camera_from_object.rotation.toRotationMatrix();
+  const Eigen::Vector3d camera_mm = camera_from_object.inverse().translation_mm;
+  const std::size_t count = std::min(most_points, view.contour.size());
+  for (std::size_t i = 0; i < count; ++i) {
+    const ContourSample& sample = view.contour[i];
+    Target target;
+    target.object_mm = sample.object_mm.cast<double>();
+    Eigen::Vector3d normal = sample.normal.cast<double>();
+    // On a round surface the contour slides to where the normal is square to the line of sight.
+    const Eigen::Vector3d sight = (target.object_mm - camera_mm).normalized();
+    const Eigen::Vector3d turned = (normal - normal.dot(sight) * sight).normalized();
+    target.object_mm += sample.curve_mm * (turned - normal);
+
+    const Eigen::Vector3d p = rotation * target.object_mm + camera_from_object.translation_mm;
+    if (p.z() < kNearest_mm) continue;
+    target.image_px = camera_.project(p);
+    if (!(target.image_px.x() > window_.x + 1 && target.image_px.y() > window_.y + 1 &&
+          target.image_px.x() < window_.br().x - 2 && target.image_px.y() < window_.br().y - 2)) {
+      continue;
+    }
+    // How the normal looks in the image.
+    const Eigen::Vector3d n = rotation * turned;
+    const Eigen::Vector2d across(camera_.fx_px * (n.x() - p.x() / p.z() * n.z()),
+                                 camera_.fy_px * (n.y() - p.y() / p.z() * n.z()));
+    const double length = across.norm();
+    if (!(length > 1e-9)) continue;
+    target.normal = across / length;
+    const double px_per_mm = length / p.z();
+    target.shift_px = sample.shift_px;
+    target.trust = sample.trust;
+    target.silhouette = sample.silhouette;
+    target.polarity = sample.polarity;
+    target.inside_px = static_cast<float>(sample.inside_mm * px_per_mm);
+    target.outside_px = static_cast<float>(sample.outside_mm * px_per_mm);
     targets_.push_back(target);
   }
 }
 
-Refiner::Observation Refiner::observe(const Picture& picture, const Eigen::Vector2d& image_px,
-                                      const Eigen::Vector2d& normal, int reach_px,
-                                      bool camera_encoded) {
-  // The image along the normal at whole steps: grey levels of each channel, and their slopes'
-  // length.
-  constexpr int kMargin = 3;
-  constexpr int kLongest = 2 * (kMaxReach_px + kMargin) + 1;
-  const cv::Mat& smooth = picture.smooth;
-  const int channels = smooth.channels();
-  const int middle = reach_px + kMargin, last = 2 * middle;
-  std::array<std::array<double, kLongest>, 3> grey;
-  for (int i = 0; i <= last; ++i) {
-    const Eigen::Vector2d p = image_px + (i - middle) * normal;
-    const double x = std::clamp(p.x() - picture.origin.x, 0.0, smooth.cols - 1.001);
-    const double y = std::clamp(p.y() - picture.origin.y, 0.0, smooth.rows - 1.001);
-    const int column = static_cast<int>(x), row = static_cast<int>(y);
-    const double fx = x - column, fy = y - row;
-    const auto* const upper = smooth.ptr<std::uint8_t>(row) + column * channels;
-    const auto* const lower = smooth.ptr<std::uint8_t>(row + 1) + column * channels;
-    for (int c = 0; c < channels; ++c) {
-      grey[c][i] = (1 - fy) * ((1 - fx) * upper[c] + fx * upper[c + channels]) +
-                   fy * ((1 - fx) * lower[c] + fx * lower[c + channels]);
+void Refiner::observe(int reach_px, const Appearance& appearance) {
+  for (Target& target : targets_) {
+    EdgeLine line(picture(), target.image_px, target.normal, reach_px);
+    if (target.silhouette) line.compare(appearance, target.inside_px, target.outside_px);
+    line.require(target.polarity);
+    target.edge_count = line.find(target.edges);
+    for (int i = 0; i < target.edge_count; ++i) {
+      target.edges[i].offset_px -= static_cast<float>(target.shift_px);
     }
   }
-  std::array<double, kLongest> slope;
-  for (int i = 1; i < last; ++i) {
-    double sum = 0;
-    for (int c = 0; c < channels; ++c) sum += square(0.5 * (grey[c][i + 1] - grey[c][i - 1]));
-    slope[i] = std::sqrt(sum);
-  }
-
-  int best = -1;
-  double best_score = 0;
-  for (int i = kMargin; i <= last - kMargin; ++i) {
-    if (slope[i] < kFaintest || slope[i] < slope[i - 1] || slope[i] <= slope[i + 1]) continue;
-    // Prefer strong edges, but near ones more.
-    const double score =
-        slope[i] / (slope[i] + kHalfStrength) * std::exp(-square((i - middle) / (0.6 * reach_px)));
-    if (score > best_score) {
-      best_score = score;
-      best = i;
-    }
-  }
-  if (best < 0) return {std::numeric_limits<double>::quiet_NaN(), 0};
-
-  static const EncodingBias encoding_bias;
-  const auto rise = [&](int c) { return std::abs(grey[c][best + 2] - grey[c][best - 2]); };
-  int channel = 0;  // the one with the most contrast
-  for (int c = 1; c < channels; ++c) {
-    if (rise(c) > rise(channel)) channel = c;
-  }
-  const double before = slope[best - 1], after = slope[best + 1];
-  const double between = 0.5 * (before - after) / (before - 2 * slope[best] + after);
-  if (!camera_encoded) return {best - middle + between, slope[best]};
-  const double bias = encoding_bias(grey[channel][best - 2], grey[channel][best + 2]);
-  return {best - middle + between - bias, slope[best]};
 }
 
-double Refiner::step(Pose& camera_from_object, double reach_px) {
-  const Eigen::Vector3d center = camera_from_object * model_.mesh->center_mm().cast<double>();
+void Refiner::step(Pose& camera_from_object, double reach_px) const {
+  const Eigen::Vector3d center = camera_from_object * views_.center_mm();
   const Eigen::Matrix3d rotation = camera_from_object.rotation.toRotationMatrix();
-  const int reach = std::clamp(static_cast<int>(std::ceil(reach_px)), 2, kMaxReach_px);
   const double cutoff_px = reach_px + 0.5;
 
-  Eigen::Matrix<double, 6, 6> normal_matrix = Eigen::Matrix<double, 6, 6>::Zero();
+  Matrix6 normal_matrix = Matrix6::Zero();
   Twist right_side = Twist::Zero();
-  int supported = 0;
-  for (const auto& [point, bias_px, trust] : targets_) {
-    const Eigen::Vector3d p = rotation * point.object_mm + camera_from_object.translation_mm;
-    if (p.z() < kNearPlane_mm) continue;
-    Observation seen =
-        observe({smooth_, window_.tl()}, camera_.project(p), point.normal, reach, true);
-    seen.offset_px -= bias_px;
-    if (std::isnan(seen.offset_px) || std::abs(seen.offset_px) >= cutoff_px) continue;
-    supported += std::abs(seen.offset_px) < kSupport_px;
+  Twist whole_motion = Twist::Constant(1e-12);  // of the points in the image, squared
+  for (const Target& target : targets_) {
+    if (target.edge_count == 0) continue;
+    const Eigen::Vector3d p = rotation * target.object_mm + camera_from_object.translation_mm;
+    if (p.z() < kNearest_mm) continue;
+    const double moved_px = target.normal.dot(camera_.project(p) - target.image_px);
+    const EdgeLine::Edge* best = nullptr;
+    double best_score = 0, residual_px = 0;
+    for (int i = 0; i < target.edge_count; ++i) {
+      const double distance_px = target.edges[i].offset_px - moved_px;
+      const double score = target.edges[i].score * std::exp(-square(distance_px / cutoff_px));
+      if (score <= best_score) continue;
+      best_score = score;
+      best = &target.edges[i];
+      residual_px = distance_px;
+    }
+    if (!best || std::abs(residual_px) >= cutoff_px) continue;
 
     // d(image)/d(point), then d(point)/d(twist) about the object's centre.
     const double inv_z = 1.0 / p.z();
-    const Eigen::RowVector3d gradient(
-        point.normal.x() * camera_.fx_px * inv_z, point.normal.y() * camera_.fy_px * inv_z,
-        -(point.normal.x() * camera_.fx_px * p.x() + point.normal.y() * camera_.fy_px * p.y()) *
-            inv_z * inv_z);
+    const double gx = target.normal.x() * camera_.fx_px * inv_z;
+    const double gy = target.normal.y() * camera_.fy_px * inv_z;
+    const Eigen::Vector3d gradient(gx, gy, -(gx * p.x() + gy * p.y()) * inv_z);
     Twist jacobian;
-    jacobian << (p - center).cross(gradient.transpose()), gradient.transpose();
+    jacobian << (p - center).cross(gradient), gradient;
 
-    const double tukey = square(1 - square(seen.offset_px / cutoff_px));
-    const double weight = trust * tukey * seen.strength / (seen.strength + kHalfStrength);
-    normal_matrix += weight * jacobian * jacobian.transpose();
-    right_side += weight * seen.offset_px * jacobian;
+    const double tukey = square(1 - square(residual_px / cutoff_px));
+    const double weight = target.trust * tukey * best->strength / (best->strength + kHalfStrength);
+    normal_matrix.selfadjointView<Eigen::Lower>().rankUpdate(jacobian, weight);
+    right_side += weight * residual_px * jacobian;
+    const double fx = camera_.fx_px * inv_z, fy = camera_.fy_px * inv_z;
+    for (const Eigen::Vector3d& axis : {Eigen::Vector3d(fx, 0, -fx * p.x() * inv_z),
+                                        Eigen::Vector3d(0, fy, -fy * p.y() * inv_z)}) {
+      Twist motion;
+      motion << (p - center).cross(axis), axis;
+      whole_motion += weight * motion.cwiseAbs2();
+    }
   }
   const Pose here = to_center(camera_from_object);
-  normal_matrix += Eigen::Matrix<double, 6, 6>(start_precision_.asDiagonal());
-  right_side += start_precision_.cwiseProduct(twist_between(here, start_center_));
-  const Twist twist = normal_matrix.ldlt().solve(right_side);
-  if (twist.allFinite()) {
-    const Pose centered = moved(here, twist);
-    camera_from_object = {centered.rotation, centered * -model_.mesh->center_mm().cast<double>()};
+  const Twist twist = solve(here, normal_matrix, right_side, whole_motion);
+  if (!twist.allFinite()) return;
+  const Pose centered = moved(here, twist);
+  camera_from_object = {centered.rotation, centered * -views_.center_mm()};
+}
+
+Twist Refiner::solve(const Pose& here, const Matrix6& normal_matrix, const Twist& right_side,
+                     const Twist& whole_motion) const {
+  // In units that move the points equally far, eigenvalues are shares of the points' motion that
+  // edges can see. Errors of the contour's normals feign small ones.
+  const Twist unit = whole_motion.cwiseSqrt().cwiseInverse();
+  const Matrix6 whole = normal_matrix.selfadjointView<Eigen::Lower>();
+  const Eigen::SelfAdjointEigenSolver<Matrix6> shares(unit.asDiagonal() * whole *
+                                                      unit.asDiagonal());
+  const Matrix6& axes = shares.eigenvectors();
+  const Twist away = axes.transpose() * twist_between(expected_center_, here).cwiseQuotient(unit);
+  const Twist pull = axes.transpose() * right_side.cwiseProduct(unit);
+  Twist along;
+  for (int k = 0; k < 6; ++k) {
+    // The expected pose at share 0, the edges' at share 1, half of each at kFeigned.
+    const double share = std::max(0.0, shares.eigenvalues()[k]);
+    along[k] = (share * share * away[k] + share * pull[k]) / (share * share + kFeigned * kFeigned) -
+               away[k];
   }
-  return targets_.empty() ? 0.0
-                          : static_cast<double>(supported) / static_cast<double>(targets_.size());
+  return unit.cwiseProduct(axes * along);
 }
 
 Pose Refiner::to_center(const Pose& camera_from_object) const {
-  return {camera_from_object.rotation,
-          camera_from_object * model_.mesh->center_mm().cast<double>()};
+  return {camera_from_object.rotation, camera_from_object * views_.center_mm()};
 }
 
-Refiner::Result Refiner::refine(const Pose& start_camera_from_object, double reach_px,
-                                const Twist& sigma) {
-  Result result{start_camera_from_object, 0, 0};
-  start_center_ = to_center(start_camera_from_object);
-  start_precision_ = kStartWeight_px2 * sigma.cwiseProduct(sigma).cwiseInverse();
-  if (window_.empty()) return result;
+Refiner::Result Refiner::refine(const Pose& start_camera_from_object,
+                                const Pose& expected_camera_from_object, double reach_px,
+                                const Appearance& appearance) {
+  expected_center_ = to_center(expected_camera_from_object);
   Pose pose = start_camera_from_object;
   double reach = reach_px;
-  for (int round = 0; round < 4; ++round) {
-    see(pose);
-    if (targets_.size() < kFewestPoints) return result;
-    for (int i = 0; i < 3; ++i) step(pose, reach);
-    reach = std::max(2.5, 0.55 * reach);
+  for (int round = 0; round < kRounds && !window_.empty(); ++round) {
+    project(pose, round + 2 < kRounds ? kCoarsePoints : kAllPoints);
+    if (targets_.size() < kFewestPoints) break;
+    observe(std::clamp(static_cast<int>(std::ceil(reach)), 2, EdgeLine::kMaxReach_px), appearance);
+    for (int i = 0; i < kStepsPerRound; ++i) step(pose, reach);
+    reach = std::max(kFinestReach_px, 0.5 * reach);
   }
-  see(pose);
+  return examine(pose, appearance);
+}
+
+Refiner::Result Refiner::examine(const Pose& camera_from_object, const Appearance& appearance) {
+  Result result{camera_from_object, 0, 0};
+  if (window_.empty()) return result;
+  project(camera_from_object, kAllPoints);
   if (targets_.size() < kFewestPoints) return result;
+  double confirmed = 0;
+  for (const Target& target : targets_) {
+    EdgeLine line(picture(), target.image_px, target.normal, 4);
+    if (target.silhouette) line.compare(appearance, target.inside_px, target.outside_px);
+    line.require(target.polarity);
+    const EdgeLine::Edge edge = line.strongest();
+    const bool near = edge.strength > 0 && std::abs(edge.offset_px - target.shift_px) < kSupport_px;
+    if (near) confirmed += line.agreement();
+  }
   result.points = static_cast<int>(targets_.size());
-  Pose last = pose;
-  result.support = step(last, 2.5);
-  result.camera_from_object = pose;
+  result.support = confirmed / static_cast<double>(targets_.size());
   return result;
+}
+
+void Refiner::teach(const Pose& camera_from_object, Appearance& appearance) {
+  if (window_.empty()) return;
+  project(camera_from_object, kAllPoints);
+  object_bins_.clear();
+  beside_bins_.clear();
+  const auto collect = [&](const Target& target, int from, int to,
+                           std::vector<std::uint16_t>& bins) {
+    for (int along = from; along <= to; ++along) {
+      const Eigen::Vector2d place = target.image_px + along * target.normal;
+      const int x = static_cast<int>(std::lround(place.x())) - window_.x;
+      const int y = static_cast<int>(std::lround(place.y())) - window_.y;
+      if (x < 0 || y < 0 || x >= smooth_.cols || y >= smooth_.rows) continue;
+      bins.push_back(appearance.bin(smooth_.ptr<std::uint8_t>(y) + x * smooth_.channels()));
+    }
+  };
+  for (const Target& target : targets_) {
+    if (!target.silhouette) continue;
+    const int inside = std::min(static_cast<int>(target.inside_px), kColourReach_px);
+    const int outside = std::min(static_cast<int>(target.outside_px), kColourReach_px);
+    collect(target, -inside, -kColourGap_px, object_bins_);
+    collect(target, kColourGap_px, outside, beside_bins_);
+  }
+  appearance.learn(object_bins_, beside_bins_);
 }
 
 }  // namespace anneal6d

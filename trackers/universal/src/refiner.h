@@ -2,74 +2,81 @@
 // Copyright (c) 2026 The Anneal6D authors
 #pragma once
 
+#include <array>
 #include <opencv2/core/mat.hpp>
 #include <vector>
 
-#include "contour.h"
-#include "rasterizer.h"
+#include "anneal6d/framework/camera_model.h"
+#include "appearance.h"
+#include "edge_line.h"
 #include "twist.h"
+#include "view_model.h"
 
 namespace anneal6d {
 
 /// Sharpens a pose that is nearly right: Gauss-Newton on the distances, along the normals, from the
-/// object's visible edges to the nearest edges of the image (Drummond and Cipolla, PAMI 2002),
-/// located between pixels and weighted against outliers.
+/// object's visible edges to the image's (Drummond and Cipolla, PAMI 2002), located between pixels,
+/// chosen with the help of colours, and weighted against outliers.
 class Refiner {
  public:
-  /// `model` outlives the refiner.
-  Refiner(const RasterModel& model, const CameraModel& camera);
+  /// `views` outlive the refiner.
+  Refiner(const ViewModel& views, const CameraModel& camera);
 
-  /// The frame, CV_8UC1 or CV_8UC3, distortion removed; only the surroundings of `expected` are
-  /// prepared.
-  void set_image(const cv::Mat& image, const Pose& expected_camera_from_object);
+  /// The frame, CV_8UC1 or CV_8UC3, distortion removed; only `window` of it is looked at.
+  void set_image(const cv::Mat& image, const cv::Rect& window);
+  /// The window, blurred; empty if the window is outside the image.
+  SmoothPicture picture() const { return {smooth_, window_.tl()}; }
 
   struct Result {
     Pose camera_from_object;
-    double support = 0;  ///< share of the visible contour points with an image edge within 2 px
+    double support = 0;  ///< 0..1: share of the visible contour that the image confirms
     int points = 0;      ///< visible contour points
   };
 
-  /// Starts with a search range of `reach_px` and narrows it. `sigma` (see twist.h, about the
-  /// object's centre) says how far the truth may be from the start: what the edges leave open stays
-  /// there.
-  Result refine(const Pose& start_camera_from_object, double reach_px, const Twist& sigma);
+  /// Starts with a search range of `reach_px` and narrows it. What the edges leave open, such as
+  /// the turn of a cup whose handle is hidden, is taken from the expected pose.
+  Result refine(const Pose& start_camera_from_object, const Pose& expected_camera_from_object,
+                double reach_px, const Appearance& appearance);
+
+  /// How well the image confirms a pose.
+  Result examine(const Pose& camera_from_object, const Appearance& appearance);
+
+  /// Teaches the colours on both sides of the silhouette.
+  void teach(const Pose& camera_from_object, Appearance& appearance);
 
  private:
-  struct Observation {
-    double offset_px;  ///< of the image's edge along the normal; NaN if there is none
-    double strength;   ///< grey levels a pixel
-  };
-  /// A blurred picture and where its first pixel lies in the image.
-  struct Picture {
-    const cv::Mat& smooth;
-    cv::Point origin;
-  };
+  using Matrix6 = Eigen::Matrix<double, 6, 6>;
+  static constexpr int kCandidates = 3;
+  /// A visible contour point and what the image shows around it.
   struct Target {
-    ContourPoint point;
-    double bias_px;  ///< of where its edge appears, because of edges beside it
-    double trust;
+    Eigen::Vector3d object_mm;
+    Eigen::Vector2d image_px, normal;
+    double shift_px, trust;
+    float inside_px, outside_px;
+    bool silhouette;
+    int polarity;
+    std::array<EdgeLine::Edge, kCandidates> edges;
+    int edge_count = 0;
   };
 
-  void see(const Pose& camera_from_object);
-  static Observation observe(const Picture& picture, const Eigen::Vector2d& image_px,
-                             const Eigen::Vector2d& normal, int reach_px, bool camera_encoded);
-  /// One Gauss-Newton step; returns the share of supported points before it.
-  double step(Pose& camera_from_object, double reach_px);
+  void project(const Pose& camera_from_object, std::size_t most_points);
+  void observe(int reach_px, const Appearance& appearance);
+  /// One Gauss-Newton step on the observations.
+  void step(Pose& camera_from_object, double reach_px) const;
+
+  /// The step from `here`, with what the edges cannot see left to the expected pose.
+  Twist solve(const Pose& here, const Matrix6& normal_matrix, const Twist& right_side,
+              const Twist& whole_motion) const;
 
   Pose to_center(const Pose& camera_from_object) const;
 
-  const RasterModel& model_;
+  const ViewModel& views_;
   CameraModel camera_;
-  Rasterizer rasterizer_;
-  ContourExtractor contour_;
   cv::Mat smooth_;  ///< the frame in `window_`, blurred
   cv::Rect window_;
-  cv::Mat grey_, depth_mm_;
-  cv::Mat smooth_grey_;
-  std::vector<ContourPoint> points_;
   std::vector<Target> targets_;
-  Pose start_center_;      ///< camera_from_center where the refinement began
-  Twist start_precision_;  ///< how firmly it is held there, per squared unit of a twist
+  std::vector<std::uint16_t> object_bins_, beside_bins_;
+  Pose expected_center_;  ///< camera_from_center
 };
 
 }  // namespace anneal6d

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 // Copyright (c) 2026 The Anneal6D authors
 #include <cmath>
+#include <cstdlib>
 #include <limits>
 
 #include "anneal6d/framework/error.h"
@@ -14,6 +15,12 @@ UniversalMode parse_mode(const std::string& text) {
   if (text == "thesis") return UniversalMode::thesis;
   if (text == "default") return UniversalMode::standard;
   throw ConfigError("--mode: '" + text + "' is neither thesis nor default");
+}
+
+AnnealingRule parse_annealing(const std::string& text) {
+  if (text == "thesis") return AnnealingRule::thesis;
+  if (text == "geometric") return AnnealingRule::geometric;
+  throw ConfigError("--annealing: '" + text + "' is neither thesis nor geometric");
 }
 
 RatingRule parse_rating(const std::string& text) {
@@ -37,19 +44,41 @@ UniversalTrackerOptions defaults_of(UniversalMode mode) {
   if (mode == UniversalMode::thesis) {
     options.particles = 600;
     options.layers = 5;
+    options.scorer = "cpu";
     options.frame_edges.threshold = 40;
     options.rating.rule = RatingRule::ratio;
   }
   return options;
 }
 
+std::filesystem::path folder_in_environment(const char* name) {
+  const char* const value = std::getenv(name);
+  return value ? std::filesystem::path(value) : std::filesystem::path();
+}
+
 }  // namespace
+
+std::filesystem::path default_view_cache() {
+#ifdef _WIN32
+  const std::filesystem::path folder = folder_in_environment("LOCALAPPDATA");
+#else
+  std::filesystem::path folder = folder_in_environment("XDG_CACHE_HOME");
+  if (folder.empty()) {
+    folder = folder_in_environment("HOME");
+    if (!folder.empty()) folder /= ".cache";
+  }
+#endif
+  return folder.is_absolute() ? folder / "anneal6d" : std::filesystem::path();
+}
 
 UniversalTrackerOptions UniversalTrackerOptions::from(const Settings& settings) {
   UniversalTrackerOptions o = defaults_of(parse_mode(settings.text("mode").value_or("default")));
   o.scorer = settings.text("scorer").value_or(o.scorer);
   o.particles = settings.integer("particles", 1, 100000).value_or(o.particles);
   o.layers = settings.integer("layers", 1, 100).value_or(o.layers);
+  if (const auto rule = settings.text("annealing")) o.annealing = parse_annealing(*rule);
+  o.annealing_ratio = settings.number("annealing-ratio", 0, 1).value_or(o.annealing_ratio);
+  o.drift = settings.flag("drift").value_or(o.drift);
   o.sigma_mm = settings.number("sigma-mm", 0, 1000).value_or(o.sigma_mm);
   o.sigma_deg = settings.number("sigma-deg", 0, 90).value_or(o.sigma_deg);
 
@@ -82,6 +111,9 @@ UniversalTrackerOptions UniversalTrackerOptions::from(const Settings& settings) 
   o.seed = static_cast<std::uint64_t>(settings.integer("seed", 0, std::numeric_limits<int>::max())
                                           .value_or(static_cast<int>(o.seed)));
   o.threads = settings.integer("threads", 0, 1024).value_or(o.threads);
+  if (const auto folder = settings.text("view-cache")) {
+    o.view_cache = *folder == "off" ? std::filesystem::path() : std::filesystem::path(*folder);
+  }
   o.validate();
   return o;
 }
@@ -95,6 +127,7 @@ void UniversalTrackerOptions::validate() const {
   };
   check("particles", particles, 1, 100000);
   check("layers", layers, 1, 100);
+  check("annealing_ratio", annealing_ratio, 0, 1);
   check("sigma_mm", sigma_mm, 0, 1000);
   check("sigma_deg", sigma_deg, 0, 90);
   check("threads", threads, 0, 1024);

@@ -6,36 +6,67 @@
 #include <cmath>
 #include <numbers>
 #include <opencv2/imgproc.hpp>
+#include <optional>
 
 #include "anneal6d/framework/error.h"
 #include "anneal6d/framework/particle_filter.h"
 #include "motion_model.h"
 #include "pose_filter.h"
-#include "raster_model.h"
+#include "pose_search.h"
 #include "refiner.h"
+#include "region_cue.h"
+#include "view_store.h"
 
 namespace anneal6d {
 namespace {
 
 constexpr double kDegree = std::numbers::pi / 180.0;
-constexpr double kSurvivalRate = 0.25;  // of particles, from layer to layer
-constexpr double kNarrowing = 0.6;      // of the particles' spread, from layer to layer
-constexpr double kExpectation = 0.1;    // weight of the motion model beside the edges
-constexpr double kLeastSpread_px = 0.15;
-constexpr double kReach_px = 8.0;  // of the refinement, around the filter's estimate
+constexpr double kSure = 0.92;        // of the usual support: there is no need to search
+constexpr int kPasses = 3;            // of the search, each twice as wide as the one before
+constexpr double kRegionWeight = 20;  // of the colours beside the edges, as the rating's c
+constexpr double kFirstSupport = 0.8;
+constexpr double kSupportRate = 0.1;  // of the newest frame in the usual support
+constexpr double kLearnFrom = 0.3;    // support from which colours are learned
+constexpr double kWindow_px = 30.0;   // around the object, and three deviations of its motion
+constexpr double kLeastReach_px = 6.0, kMostReach_px = 16.0;
 constexpr double kLostQuality = 0.25;
 constexpr int kFramesUntilLost = 2;
 
-std::unique_ptr<PoseScorer> make_scorer(const TrackerSetup& setup,
-                                        const UniversalTrackerOptions& options) {
+ScorerSetup scorer_setup(const TrackerSetup& setup, const UniversalTrackerOptions& options) {
   ScorerSetup scorer;
   scorer.mesh = setup.mesh;
   scorer.camera = setup.camera;
   scorer.edges = options.model_edges;
   scorer.textured = options.textured;
   scorer.threads = options.threads;
-  return make_plugin(setup.scorers, "scorer", options.scorer, scorer);
+  scorer.view_cache = options.view_cache;
+  scorer.progress = setup.progress;
+  return scorer;
 }
+
+/// Share of frames with such support whose pose was right to 10 mm and 2 degrees, by and large; see
+/// README.md, "Quality".
+double quality_of(double support) {
+  return 0.92 * std::clamp((support - 0.22) / 0.28, 0.0, 1.0) +
+         0.08 * std::clamp((support - 0.5) / 0.5, 0.0, 1.0);
+}
+
+/// What the default mode works with; the thesis's does without.
+struct Sight {
+  Sight(const ScorerSetup& setup, PoseFilter& filter, const PoseSearch::Effort& effort)
+      : views(view_model_of(setup)),
+        refiner(*views, setup.camera),
+        region(*views, setup.camera),
+        search(filter, refiner, effort, setup.mesh->radius_mm()) {
+    filter.set_region_cue(region);
+  }
+
+  std::shared_ptr<const ViewModel> views;
+  Refiner refiner;
+  RegionCue region;
+  PoseSearch search;
+  std::optional<Appearance> appearance;  ///< for as many channels as the frames have
+};
 
 class UniversalTracker final : public RigidObjectTracker {
  public:
@@ -43,11 +74,14 @@ class UniversalTracker final : public RigidObjectTracker {
       : RigidObjectTracker(setup.mesh, setup.camera),
         options_(options),
         symmetry_(setup.symmetry),
-        scorer_(make_scorer(setup, options)),
+        scorer_(make_plugin(setup.scorers, "scorer", options.scorer, scorer_setup(setup, options))),
         filter_(*scorer_, options.rating, setup.mesh->center_mm().cast<double>()),
-        motion_(options.sigma_mm, options.sigma_deg * kDegree),
-        raster_model_(setup.mesh, options.textured),
-        refiner_(raster_model_, setup.camera) {}
+        motion_(options.sigma_mm, options.sigma_deg * kDegree) {
+    if (options.mode == UniversalMode::standard) {
+      sight_.emplace(scorer_setup(setup, options), filter_,
+                     PoseSearch::Effort{options.particles, options.layers});
+    }
+  }
 
  protected:
   void on_reset(const Pose& camera_from_object) override {
@@ -57,38 +91,46 @@ class UniversalTracker final : public RigidObjectTracker {
     last_motion_.setZero();
     frame_number_ = 0;
     bad_frames_ = 0;
+    usual_support_ = kFirstSupport;
+    if (sight_) sight_->appearance.reset();
+  }
+
+  void on_shown(const cv::Mat& undistorted) override {
+    if (!sight_) return;
+    look(undistorted, center_, kWindow_px);
+    const Pose pose = filter_.to_object(center_);
+    sight_->refiner.teach(pose, *sight_->appearance);
+    usual_support_ = sight_->refiner.examine(pose, *sight_->appearance).support;
   }
 
   void preprocess(const cv::Mat& undistorted) override {
-    const cv::Rect around = surroundings();
-    EdgeOptions options = options_.frame_edges;
-    if (!options.threshold) {
-      const EdgeThresholds thresholds = resolve_thresholds(undistorted(around), options);
-      options.threshold = thresholds.high;
-      options.low_threshold =
-          options.op == EdgeOperator::canny ? std::optional(thresholds.low) : std::nullopt;
-    }
-    edges_ = detect_edges(undistorted, options);
-    scorer_->set_edges(edges_);
-    chance_ = static_cast<double>(cv::countNonZero(edges_.binary(around))) /
-              static_cast<double>(around.area());
     image_ = undistorted;
+    if (!sight_) {
+      detect_edges_around(center_, 1.5 * mesh().radius_mm());
+      return;
+    }
+    expected_ = {moved(center_, motion_.drift()), motion_.sigma()};
+    look(undistorted, expected_.camera_from_center, kWindow_px + 3 * deviation_px());
   }
 
   void estimate(TrackResult& result) override {
-    if (options_.mode == UniversalMode::thesis) {
-      estimate_as_in_thesis(result);
-    } else {
+    if (sight_) {
       estimate_by_default(result);
+    } else {
+      estimate_as_in_thesis(result);
     }
     ++frame_number_;
   }
 
   Judgement judge(const TrackResult& result) override {
-    // Edges that match by chance, because the image is full of them, confirm nothing.
-    const double ratio = match_ratio(match_of(result.camera_from_object));
     Judgement judgement;
-    judgement.quality = std::clamp((ratio - chance_) / std::max(1e-6, 1.0 - chance_), 0.0, 1.0);
+    if (sight_) {
+      judgement.quality = quality_of(support_);
+    } else {
+      // Edges that match by chance, because the image is full of them, confirm nothing.
+      const double ratio = match_ratio(match_of(result.camera_from_object));
+      judgement.quality = std::clamp((ratio - chance_) / std::max(1e-6, 1.0 - chance_), 0.0, 1.0);
+    }
     bad_frames_ = judgement.quality < kLostQuality ? bad_frames_ + 1 : 0;
     judgement.status = bad_frames_ >= kFramesUntilLost ? TrackStatus::lost : TrackStatus::tracking;
     return judgement;
@@ -98,67 +140,115 @@ class UniversalTracker final : public RigidObjectTracker {
   /// Algorithms 1-5 with the annealing of 4.1.2.
   void estimate_as_in_thesis(TrackResult& result) {
     const Pose last = center_;
-    double score = 0;
+    double rating = 0;  // Alg. 4, of the last layer's estimate
     for (int layer = 0; layer < options_.layers; ++layer) {
       PoseFilter::Layer step;
-      if (layer == 0) step.drift = last_motion_;  // Alg. 3: meanPose - lastPose
-      const double factor = annealing_factor(AnnealingRule::thesis, layer, score, 1.0);
+      if (layer == 0 && options_.drift) step.drift = last_motion_;  // Alg. 3: meanPose - lastPose
+      const double factor =
+          annealing_factor(options_.annealing, layer, rating, options_.annealing_ratio);
       step.diffusion = (factor * initial_sigma()).asDiagonal();
       filter_.set_layer(step);
       center_ = filter_.run_layer(key(layer), Resampling::multinomial);
-      score = match_ratio(match_of(filter_.to_object(center_)));
+      const double ratio = match_ratio(match_of(filter_.to_object(center_)));
+      rating = std::exp(-options_.rating.c * (1.0 - ratio));
     }
     last_motion_ = twist_between(last, center_);
     result.camera_from_object = filter_.to_object(center_);
     result.best_camera_from_object = filter_.to_object(filter_.best());
   }
 
-  /// The same loop; noise follows the motion first and then the particles' own spread, and the
-  /// filter's basin is searched for its bottom by Gauss-Newton.
+  /// First the motion model's guess is refined. Where the image does not confirm that as well as
+  /// usual, particles search, wider and wider.
   void estimate_by_default(TrackResult& result) {
     const Pose last = center_;
-    const Twist drift = motion_.drift();
-    const Twist sigma = motion_.sigma();
-    Eigen::Matrix<double, 6, 6> diffusion = sigma.asDiagonal();
-    const Pose expected = moved(last, drift);
-    Pose incumbent = expected;
-    filter_.initialize(expected, static_cast<std::size_t>(options_.particles));
-    for (int layer = 0; layer < options_.layers; ++layer) {
-      PoseFilter::Layer step;
-      step.diffusion = diffusion;
-      step.incumbent = incumbent;
-      step.expected = expected;
-      step.expected_sigma = sigma;
-      step.expectation = kExpectation;
-      step.survival_rate = kSurvivalRate;
-      filter_.set_layer(step);
-      center_ = filter_.run_layer(key(layer), Resampling::systematic);
-      incumbent = filter_.best();
-      diffusion = narrowed_spread();
+    const Appearance& appearance = *sight_->appearance;
+    const Pose guess = filter_.to_object(expected_.camera_from_center);
+    const double reach_px = std::clamp(deviation_px(), kLeastReach_px, kMostReach_px);
+    Refiner::Result best = sight_->refiner.refine(guess, guess, reach_px, appearance);
+    Expectation wider = expected_;
+    for (int pass = 0; pass < kPasses && best.support < kSure * usual_support_; ++pass) {
+      if (pass == 0) {
+        detect_edges_around(expected_.camera_from_center,
+                            mesh().radius_mm() + 3 * expected_.sigma[5]);
+        sight_->region.set_image(sight_->refiner.picture(), appearance);
+      }
+      const double weight = appearance.learned() ? kRegionWeight : 0.0;
+      RandomKey random = key(0);
+      random.frame = frame_number_ * kPasses + static_cast<std::uint32_t>(pass);
+      const Refiner::Result found =
+          sight_->search.run(wider, {appearance, weight}, random, camera().fx_px);
+      if (found.support > best.support) best = found;
+      wider.sigma *= 2.0;
     }
-    result.best_camera_from_object = filter_.to_object(filter_.best());
-
-    refiner_.set_image(image_, filter_.to_object(center_));
-    const Pose mean = filter_.to_object(center_);
-    const Pose refined = refiner_.refine(mean, kReach_px, sigma).camera_from_object;
-    const bool better = match_of(refined).matched * 1.05 >= match_of(mean).matched;
-    center_ = filter_.to_center(better ? refined : mean);
-    center_.rotation = symmetry_.fold(center_.rotation, last.rotation);
-    result.camera_from_object = filter_.to_object(center_);
+    support_ = best.support;
+    usual_support_ += kSupportRate * (support_ - usual_support_);
+    Pose found = filter_.to_center(best.camera_from_object);
+    found.rotation = symmetry_.fold(found.rotation, last.rotation);
+    result.camera_from_object = result.best_camera_from_object = filter_.to_object(found);
+    if (quality_of(support_) < kLostQuality) {
+      // Go on searching around the last pose that was confirmed.
+      motion_.reset();
+      return;
+    }
+    center_ = found;
     motion_.observe(last, center_);
+    if (support_ > kLearnFrom) {
+      sight_->refiner.teach(result.camera_from_object, *sight_->appearance);
+    }
   }
 
-  /// Factor of a share of the particles' covariance, no narrower than a fraction of a pixel.
-  Eigen::Matrix<double, 6, 6> narrowed_spread() const {
-    const double mm_per_px = center_.translation_mm.z() / camera().fx_px;
-    const double least_mm = kLeastSpread_px * std::abs(mm_per_px);
-    const double least_rad = least_mm / mesh().radius_mm();
-    Eigen::Matrix<double, 6, 6> covariance = kNarrowing * kNarrowing * filter_.covariance(center_);
-    for (int i = 0; i < 3; ++i) {
-      covariance(i, i) += least_rad * least_rad;
-      covariance(i + 3, i + 3) += least_mm * least_mm;
+  /// Shows the surroundings of a pose to the refiner.
+  void look(const cv::Mat& undistorted, const Pose& camera_from_center, double margin_px) {
+    const int channels = undistorted.channels();
+    if (!sight_->appearance || sight_->appearance->channels() != channels) {
+      sight_->appearance.emplace(channels);
     }
-    return covariance.llt().matrixL();
+    sight_->refiner.set_image(undistorted,
+                              window(camera_from_center, mesh().radius_mm(), margin_px));
+  }
+
+  /// Finds the edges of the frame for the scorer, where a sphere around the object may appear.
+  void detect_edges_around(const Pose& camera_from_center, double radius_mm) {
+    const cv::Rect around = window(camera_from_center, radius_mm, kWindow_px);
+    EdgeOptions options = options_.frame_edges;
+    if (!options.threshold) {
+      const EdgeThresholds thresholds = edge_detector_.thresholds(image_(around), options);
+      options.threshold = thresholds.high;
+      options.low_threshold =
+          options.op == EdgeOperator::canny ? std::optional(thresholds.low) : std::nullopt;
+    }
+    if (sight_) {
+      edge_detector_.detect(image_(around), options, edges_around_);
+      edges_.binary.create(image_.size(), CV_8UC1);
+      edges_.binary.setTo(0);
+      edges_around_.binary.copyTo(edges_.binary(around));
+    } else {
+      edge_detector_.detect(image_, options, edges_);
+    }
+    scorer_->set_edges(edges_);
+    chance_ = static_cast<double>(cv::countNonZero(edges_.binary(around))) /
+              static_cast<double>(around.area());
+  }
+
+  /// Where a sphere about the object's centre and a margin around it appear; the whole image if
+  /// that is none of it.
+  cv::Rect window(const Pose& camera_from_center, double radius_mm, double margin_px) const {
+    const cv::Rect whole(0, 0, camera().width_px, camera().height_px);
+    const double z_mm = camera_from_center.translation_mm.z();
+    if (!(z_mm > 1.2 * radius_mm)) return whole;
+    const Eigen::Vector2d middle = camera().project(camera_from_center.translation_mm);
+    const double half = camera().fx_px * radius_mm / (z_mm - radius_mm) + margin_px;
+    if (!(middle.norm() < 1e6) || !(half < 1e6)) return whole;
+    const int side = static_cast<int>(2 * half);
+    const cv::Rect around = whole & cv::Rect(static_cast<int>(middle.x() - half),
+                                             static_cast<int>(middle.y() - half), side, side);
+    return around.area() >= 256 ? around : whole;
+  }
+
+  /// How far the object's edges may be, in the image, from where they are expected.
+  double deviation_px() const {
+    const double z_mm = std::max(kNearPlane_mm, expected_.camera_from_center.translation_mm.z());
+    return camera().fx_px / z_mm * (expected_.sigma[5] + expected_.sigma[0] * mesh().radius_mm());
   }
 
   Twist initial_sigma() const {
@@ -166,23 +256,6 @@ class UniversalTracker final : public RigidObjectTracker {
     sigma << Eigen::Vector3d::Constant(options_.sigma_deg * kDegree),
         Eigen::Vector3d::Constant(options_.sigma_mm);
     return sigma;
-  }
-
-  /// The part of the image where the object may be: its bounding sphere at the last pose, half as
-  /// large again; the whole image if that is none of it.
-  cv::Rect surroundings() const {
-    const cv::Rect whole(0, 0, camera().width_px, camera().height_px);
-    const double z_mm = center_.translation_mm.z();
-    const double radius_mm = 1.5 * mesh().radius_mm();
-    if (!(z_mm > 1.5 * radius_mm)) return whole;
-    const Eigen::Vector2d middle = camera().project(center_.translation_mm);
-    const double radius_px = radius_mm * camera().fx_px / z_mm;
-    if (!(middle.norm() < 1e6)) return whole;
-    const cv::Rect around =
-        cv::Rect(static_cast<int>(middle.x() - radius_px), static_cast<int>(middle.y() - radius_px),
-                 static_cast<int>(2 * radius_px), static_cast<int>(2 * radius_px)) &
-        whole;
-    return around.area() >= 256 ? around : whole;
   }
 
   EdgeMatch match_of(const Pose& camera_from_object) {
@@ -200,15 +273,18 @@ class UniversalTracker final : public RigidObjectTracker {
   std::unique_ptr<PoseScorer> scorer_;
   PoseFilter filter_;
   MotionModel motion_;
-  RasterModel raster_model_;
-  Refiner refiner_;
+  std::optional<Sight> sight_;  ///< of the default mode
+  EdgeDetector edge_detector_;
 
   Pose center_;  ///< camera_from_center of the last frame
+  Expectation expected_;
   Twist last_motion_ = Twist::Zero();
   std::uint32_t frame_number_ = 0;
   int bad_frames_ = 0;
-  EdgeImage edges_;
+  double support_ = 0;        ///< of the last estimate
+  double usual_support_ = 0;  ///< of estimates lately
   cv::Mat image_;
+  EdgeImage edges_, edges_around_;
   double chance_ = 0;  ///< share of edge pixels around the object
 };
 

@@ -3,6 +3,8 @@
 #pragma once
 
 #include <cstdint>
+#include <filesystem>
+#include <functional>
 #include <memory>
 #include <span>
 #include <string_view>
@@ -46,6 +48,11 @@ struct ScorerSetup {
   Shading shading;
   bool textured = true;  ///< false: ignore the model's texture
   int threads = 0;       ///< CPU threads, 0: all
+  /// Folder for what is computed once per model, made if need be; empty: nothing is kept.
+  std::filesystem::path view_cache;
+  /// Told the share done (0..1) of a long preparation, from any thread, one call at a time; may be
+  /// empty.
+  std::function<void(double)> progress;
 
   /// Throws ConfigError: no mesh, bad camera, bad or automatic thresholds, negative threads.
   void validate() const;

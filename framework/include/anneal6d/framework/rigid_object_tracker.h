@@ -2,6 +2,7 @@
 // Copyright (c) 2026 The Anneal6D authors
 #pragma once
 
+#include <functional>
 #include <memory>
 #include <string>
 
@@ -47,6 +48,10 @@ class RigidObjectTracker {
   /// the object's centre behind the camera.
   void reset(const Pose& camera_from_object);
 
+  /// The same, with a frame that shows the object at this pose, from which a tracker may learn what
+  /// object and background look like. Throws also as `track` does for the frame.
+  void reset(const Pose& camera_from_object, const Frame& frame);
+
   /// Follows the object into the next frame. Throws ConfigError if the frame's size or type is not
   /// the calibration's, or if `reset` was never called; never for what the image shows.
   TrackResult track(const Frame& frame);
@@ -64,6 +69,8 @@ class RigidObjectTracker {
 
   /// Forget everything and start at the pose.
   virtual void on_reset(const Pose& camera_from_object) = 0;
+  /// After `on_reset`: the object at that pose, in an image without distortion.
+  virtual void on_shown(const cv::Mat& /*undistorted*/) {}
   /// Prepare the image (of the camera's size, distortion removed) for `estimate`.
   virtual void preprocess(const cv::Mat& undistorted) = 0;
   /// Find the pose; fills both poses of the result.
@@ -72,6 +79,8 @@ class RigidObjectTracker {
   virtual Judgement judge(const TrackResult& result) = 0;
 
  private:
+  void check(const Frame& frame) const;
+
   std::shared_ptr<const TriangleMesh> mesh_;
   CameraModel camera_;
   Undistorter undistort_;
@@ -85,6 +94,9 @@ struct TrackerSetup {
   Symmetry symmetry;
   Settings settings;    ///< the tracker's own options; unknown names are the caller's business
   ScorerTable scorers;  ///< the scorers this program has
+  /// Told the share done (0..1) of a long preparation of the model, from any thread, one call at a
+  /// time; may be empty.
+  std::function<void(double)> progress;
 };
 
 using TrackerPlugin = Plugin<RigidObjectTracker, TrackerSetup>;

@@ -1,0 +1,159 @@
+// SPDX-License-Identifier: BSD-3-Clause
+// Copyright (c) 2026 The Anneal6D authors
+#include "edge_line.h"
+
+#include <algorithm>
+#include <cmath>
+
+#include "anneal6d/framework/srgb.h"
+
+namespace anneal6d {
+namespace {
+
+constexpr float kFaintest = 2.5F;      // grey levels a pixel: weaker slopes are no edge
+constexpr float kHalfStrength = 4.0F;  // slope at which an edge counts half of a strong one
+constexpr float kRegionWeight = 0.5F;  // pixels beside each other show the same
+
+float square(float x) { return x * x; }
+
+/// Cameras mix light within a pixel and encode the mixture afterwards, so that the slope of grey
+/// levels across a step from level a to level b is centred off the step, on its dark side, by up to
+/// 0.19 px: bright objects look large and near. For a pixel that mixes evenly, integration by parts
+/// gives the offset (mean(a, b) - mean level over the mixtures) / (b - a), counted from a towards
+/// b.
+class EncodingBias {
+ public:
+  EncodingBias() : light_(srgb_light_table()) {
+    // Integral of the encoded value over light, by trapezoids between grey levels.
+    for (std::size_t i = 1; i < integral_.size(); ++i) {
+      const double middle = (static_cast<double>(i) - 0.5) / 255.0;
+      integral_[i] = integral_[i - 1] + middle * (light_[i] - light_[i - 1]);
+    }
+  }
+
+  /// In pixels; `a` and `b` in grey levels.
+  float operator()(float a, float b) const {
+    const auto i = static_cast<std::size_t>(std::clamp(std::lround(a), 0L, 255L));
+    const auto j = static_cast<std::size_t>(std::clamp(std::lround(b), 0L, 255L));
+    if (i == j) return 0.0F;
+    const double mean_level = (integral_[j] - integral_[i]) / (light_[j] - light_[i]);
+    const double low = static_cast<double>(i) / 255.0, high = static_cast<double>(j) / 255.0;
+    return static_cast<float>((0.5 * (low + high) - mean_level) / (high - low));
+  }
+
+ private:
+  std::array<float, 256> light_;
+  std::array<double, 256> integral_{};
+};
+
+}  // namespace
+
+EdgeLine::EdgeLine(const SmoothPicture& picture, const Eigen::Vector2d& middle_px,
+                   const Eigen::Vector2d& normal, int reach_px)
+    : channels_(picture.smooth.channels()),
+      middle_(reach_px + kMargin),
+      last_(2 * middle_),
+      inv_reach_(1.0F / static_cast<float>(reach_px)) {
+  const cv::Mat& smooth = picture.smooth;
+  const float right = static_cast<float>(smooth.cols) - 1.001F;
+  const float bottom = static_cast<float>(smooth.rows) - 1.001F;
+  const float x0 = static_cast<float>(middle_px.x() - picture.origin.x);
+  const float y0 = static_cast<float>(middle_px.y() - picture.origin.y);
+  const float nx = static_cast<float>(normal.x()), ny = static_cast<float>(normal.y());
+  const auto step = static_cast<std::ptrdiff_t>(smooth.step[0]);
+  const std::uint8_t* const data = smooth.ptr<std::uint8_t>();
+  for (int i = 0; i <= last_; ++i) {
+    const float along = static_cast<float>(i - middle_);
+    const float x = std::clamp(x0 + along * nx, 0.0F, right);
+    const float y = std::clamp(y0 + along * ny, 0.0F, bottom);
+    const int column = static_cast<int>(x), row = static_cast<int>(y);
+    const float fx = x - static_cast<float>(column), fy = y - static_cast<float>(row);
+    const std::uint8_t* const upper = data + row * step + column * channels_;
+    const std::uint8_t* const lower = upper + step;
+    for (int c = 0; c < channels_; ++c) {
+      const float a = upper[c], b = upper[c + channels_], p = lower[c], q = lower[c + channels_];
+      const float above = a + fx * (b - a), below = p + fx * (q - p);
+      grey_[c][i] = above + fy * (below - above);
+    }
+  }
+  for (int i = 1; i < last_; ++i) {
+    float sum = 0;
+    for (int c = 0; c < channels_; ++c) sum += square(0.5F * (grey_[c][i + 1] - grey_[c][i - 1]));
+    slope_[i] = std::sqrt(sum);
+    region_[i] = 1.0F;
+  }
+}
+
+void EdgeLine::compare(const Appearance& appearance, float inside_px, float outside_px) {
+  if (!appearance.learned()) return;
+  // Sum of the log odds of what lies before each step: the edge is where it is greatest.
+  float sum = 0, greatest = 0;
+  const int begin = std::max(1, middle_ - static_cast<int>(inside_px));
+  const int end = std::min(last_ - 1, middle_ + static_cast<int>(outside_px));
+  for (int i = 1; i < last_; ++i) {
+    if (i >= begin && i <= end) {
+      std::array<std::uint8_t, 3> pixel;
+      for (int c = 0; c < channels_; ++c) pixel[c] = static_cast<std::uint8_t>(grey_[c][i] + 0.5F);
+      const float odds = appearance.log_odds(appearance.bin(pixel.data()));
+      const float half = odds * (0.5F * kRegionWeight / Appearance::kScale);
+      region_[i] = sum + half;
+      sum += 2 * half;
+    } else {
+      region_[i] = sum;
+    }
+    greatest = i == 1 ? region_[i] : std::max(greatest, region_[i]);
+  }
+  for (int i = 1; i < last_; ++i) region_[i] = std::exp(region_[i] - greatest);
+}
+
+float EdgeLine::score(int i) const {
+  if (slope_[i] < kFaintest || slope_[i] < slope_[i - 1] || slope_[i] <= slope_[i + 1]) return 0;
+  if (polarity_ != 0) {
+    float rise = 0;
+    for (int c = 0; c < channels_; ++c) rise += grey_[c][i + 1] - grey_[c][i - 1];
+    if (rise * static_cast<float>(polarity_) < 0) return 0;
+  }
+  // Prefer strong edges, but near ones more.
+  const float distance = static_cast<float>(i - middle_) * inv_reach_ / 0.6F;
+  return slope_[i] / (slope_[i] + kHalfStrength) * std::exp(-square(distance)) * region_[i];
+}
+
+float EdgeLine::between(int i) const {
+  const float before = slope_[i - 1], after = slope_[i + 1];
+  return static_cast<float>(i - middle_) +
+         0.5F * (before - after) / (before - 2 * slope_[i] + after);
+}
+
+float EdgeLine::encoding_shift(int i) const {
+  static const EncodingBias encoding_bias;
+  const auto rise = [&](int c) { return std::abs(grey_[c][i + 2] - grey_[c][i - 2]); };
+  int channel = 0;  // the one with the most contrast
+  for (int c = 1; c < channels_; ++c) {
+    if (rise(c) > rise(channel)) channel = c;
+  }
+  return encoding_bias(grey_[channel][i - 2], grey_[channel][i + 2]);
+}
+
+EdgeLine::Edge EdgeLine::strongest() const {
+  Edge best;
+  for (int i = kMargin; i <= last_ - kMargin; ++i) {
+    const float here = score(i);
+    if (here > best.score) best = {between(i), slope_[i], here};
+  }
+  return best;
+}
+
+int EdgeLine::find(std::span<Edge> edges) const {
+  std::size_t count = 0;
+  for (int i = kMargin; i <= last_ - kMargin; ++i) {
+    const float here = score(i);
+    if (here <= 0 || (count == edges.size() && here <= edges.back().score)) continue;
+    if (count < edges.size()) ++count;
+    std::size_t place = count - 1;
+    for (; place > 0 && edges[place - 1].score < here; --place) edges[place] = edges[place - 1];
+    edges[place] = {between(i) - encoding_shift(i), slope_[i], here};
+  }
+  return static_cast<int>(count);
+}
+
+}  // namespace anneal6d

@@ -1,0 +1,98 @@
+// SPDX-License-Identifier: BSD-3-Clause
+// Copyright (c) 2026 The Anneal6D authors
+#include "pose_search.h"
+
+#include <algorithm>
+#include <limits>
+#include <numeric>
+
+namespace anneal6d {
+namespace {
+
+constexpr double kWide = 1.5;           // noise of the first layer, of the expected deviations
+constexpr double kSurvivalRate = 0.25;  // of particles, from layer to layer
+constexpr double kNarrowing = 0.6;      // of the particles' spread, from layer to layer
+constexpr double kExpectation = 0.1;    // weight of the motion model beside the image
+constexpr double kLeastSpread_px = 0.15;
+constexpr std::size_t kStarts = 6;   // particles of the first layer that are refined
+constexpr double kApart_rad = 0.07;  // of starts: turn, and shift in radii of the object
+constexpr double kReach_px = 10.0;
+// Support that a pose loses for each squared deviation from what was expected: decides between
+// poses that look the same.
+constexpr double kStrangeness = 0.002;
+
+}  // namespace
+
+PoseSearch::PoseSearch(PoseFilter& filter, Refiner& refiner, const Effort& effort, double radius_mm)
+    : filter_(filter), refiner_(refiner), effort_(effort), radius_mm_(radius_mm) {}
+
+Refiner::Result PoseSearch::run(const Expectation& expected, const Colours& colours, RandomKey key,
+                                double focal_px) {
+  starts_.clear();
+  PoseFilter::Layer step;
+  step.diffusion = (kWide * expected.sigma).asDiagonal();
+  step.incumbent = expected.camera_from_center;
+  step.expected = expected.camera_from_center;
+  step.expected_sigma = expected.sigma;
+  step.expectation = kExpectation;
+  step.survival_rate = kSurvivalRate;
+  step.region_weight = colours.weight;
+  filter_.initialize(expected.camera_from_center, static_cast<std::size_t>(effort_.particles));
+  Pose mean;
+  for (int layer = 0; layer < effort_.layers; ++layer) {
+    filter_.set_layer(step);
+    key.layer = static_cast<std::uint32_t>(layer);
+    mean = filter_.run_layer(key, Resampling::systematic);
+    if (layer == 0) collect_starts();
+    step.incumbent = filter_.best();
+    step.diffusion = narrowed_spread(mean, focal_px);
+  }
+  starts_.push_back(mean);
+  starts_.push_back(filter_.best());
+
+  Refiner::Result best;
+  double best_value = -std::numeric_limits<double>::infinity();
+  const Pose expected_pose = filter_.to_object(expected.camera_from_center);
+  for (const Pose& start : starts_) {
+    const Refiner::Result found =
+        refiner_.refine(filter_.to_object(start), expected_pose, kReach_px, colours.appearance);
+    const Twist strange =
+        twist_between(expected.camera_from_center, filter_.to_center(found.camera_from_object))
+            .cwiseQuotient(expected.sigma);
+    const double value = found.support - kStrangeness * strange.squaredNorm();
+    if (value <= best_value) continue;
+    best_value = value;
+    best = found;
+  }
+  return best;
+}
+
+void PoseSearch::collect_starts() {
+  const auto states = filter_.states();
+  const auto weights = filter_.weights();
+  order_.resize(states.size());
+  std::iota(order_.begin(), order_.end(), std::size_t{0});
+  std::stable_sort(order_.begin(), order_.end(),
+                   [&](std::size_t a, std::size_t b) { return weights[a] > weights[b]; });
+  for (const std::size_t index : order_) {
+    if (starts_.size() == kStarts) break;
+    const bool near = std::any_of(starts_.begin(), starts_.end(), [&](const Pose& other) {
+      const Twist apart = twist_between(other, states[index]);
+      return apart.head<3>().norm() + apart.tail<3>().norm() / radius_mm_ < kApart_rad;
+    });
+    if (!near) starts_.push_back(states[index]);
+  }
+}
+
+Eigen::Matrix<double, 6, 6> PoseSearch::narrowed_spread(const Pose& mean, double focal_px) const {
+  const double least_mm = kLeastSpread_px * std::abs(mean.translation_mm.z()) / focal_px;
+  const double least_rad = least_mm / radius_mm_;
+  Eigen::Matrix<double, 6, 6> covariance = kNarrowing * kNarrowing * filter_.covariance(mean);
+  for (int i = 0; i < 3; ++i) {
+    covariance(i, i) += least_rad * least_rad;
+    covariance(i + 3, i + 3) += least_mm * least_mm;
+  }
+  return covariance.llt().matrixL();
+}
+
+}  // namespace anneal6d

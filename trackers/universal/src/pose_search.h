@@ -1,0 +1,56 @@
+// SPDX-License-Identifier: BSD-3-Clause
+// Copyright (c) 2026 The Anneal6D authors
+#pragma once
+
+#include <vector>
+
+#include "anneal6d/framework/pose_scorer.h"
+#include "pose_filter.h"
+#include "refiner.h"
+
+namespace anneal6d {
+
+/// What the motion model knows before a frame was looked at: camera_from_center and the deviations
+/// to expect from it.
+struct Expectation {
+  Pose camera_from_center;
+  Twist sigma = Twist::Ones();
+};
+
+/// Looks for the object with an annealed particle filter: layers of particles, rated by edges and
+/// colours, close in on the best basins, and the refinement finds the bottom of each.
+class PoseSearch {
+ public:
+  struct Effort {
+    int particles = 0;  ///< a layer
+    int layers = 0;
+  };
+
+  /// `filter` and `refiner` outlive the search.
+  PoseSearch(PoseFilter& filter, Refiner& refiner, const Effort& effort, double radius_mm);
+
+  struct Colours {
+    const Appearance& appearance;
+    double weight = 0;  ///< beside the edges, as the rating's c
+  };
+
+  /// The best refined pose. `key` decides the random numbers, but for its layer. `focal_px`
+  /// translates pixels to millimetres.
+  Refiner::Result run(const Expectation& expected, const Colours& colours, RandomKey key,
+                      double focal_px);
+
+ private:
+  /// The best particles that differ from each other.
+  void collect_starts();
+  /// Factor of a share of the particles' covariance, no narrower than a fraction of a pixel.
+  Eigen::Matrix<double, 6, 6> narrowed_spread(const Pose& mean, double focal_px) const;
+
+  PoseFilter& filter_;
+  Refiner& refiner_;
+  Effort effort_;
+  double radius_mm_;
+  std::vector<Pose> starts_;
+  std::vector<std::size_t> order_;
+};
+
+}  // namespace anneal6d

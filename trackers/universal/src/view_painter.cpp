@@ -1,0 +1,178 @@
+// SPDX-License-Identifier: BSD-3-Clause
+// Copyright (c) 2026 The Anneal6D authors
+#include "view_painter.h"
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+#include <limits>
+#include <opencv2/imgproc.hpp>
+#include <random>
+
+#include "edge_line.h"
+
+namespace anneal6d {
+namespace {
+
+constexpr double kSpacing_px = 2.5;
+constexpr std::size_t kMostContour = 240;
+constexpr int kMostEdges = 300;
+constexpr double kProbe_px = 1.6;  // beside a contour, to tell object from background
+constexpr double kBend_px = 2.0;
+constexpr int kFarthest_px = 16;
+constexpr int kShiftReach_px = 2;
+constexpr double kMostShift_px = 0.7;  // of an edge that stands alone
+constexpr float kCrowdedTrust = 0.5F;
+constexpr float kBlindTrust = 0.1F;
+
+CameraModel picture_camera() {
+  constexpr int kSize = 256;
+  CameraModel camera;
+  camera.width_px = camera.height_px = kSize;
+  camera.fx_px = camera.fy_px = ViewModel::kRadius_px * ViewModel::kDistance;
+  camera.cx_px = camera.cy_px = 0.5 * (kSize - 1);
+  return camera;
+}
+
+/// Reproducible on every platform, which std::shuffle is not.
+template <class Values>
+void shuffle(Values& values, std::uint32_t seed) {
+  std::mt19937 random(seed);
+  for (std::size_t i = values.size(); i > 1; --i) std::swap(values[i - 1], values[random() % i]);
+}
+
+}  // namespace
+
+ViewPainter::ViewPainter(const RasterModel& model, const EdgeOptions& edges, const Shading& shading)
+    : model_(model),
+      edges_(edges),
+      camera_(picture_camera()),
+      rasterizer_(model, camera_, shading),
+      extractor_(*model.mesh) {}
+
+ModelView ViewPainter::paint(const Eigen::Vector3d& direction, std::uint32_t seed) {
+  Pose camera_from_object;
+  const Eigen::Vector3d forward = -direction;
+  const Eigen::Vector3d right = forward.unitOrthogonal();
+  Eigen::Matrix3d rotation;
+  rotation << right.transpose(), forward.cross(right).transpose(), forward.transpose();
+  camera_from_object.rotation = Eigen::Quaterniond(rotation).normalized();
+  const Eigen::Vector3d center_mm = model_.mesh->center_mm().cast<double>();
+  camera_from_object.translation_mm =
+      Eigen::Vector3d(0, 0, ViewModel::kDistance * model_.mesh->radius_mm()) -
+      camera_from_object.rotation * center_mm;
+
+  ModelView view;
+  region_ = rasterizer_.draw(camera_from_object, 8);
+  if (region_.empty()) return view;
+  rasterizer_.take_images(grey_, depth_mm_);
+  sample_contour(camera_from_object, seed, view);
+  sample_edges(camera_from_object, seed, view);
+  return view;
+}
+
+float ViewPainter::depth_at(const Eigen::Vector2d& image_px) const {
+  const int x = static_cast<int>(std::lround(image_px.x())) - region_.x;
+  const int y = static_cast<int>(std::lround(image_px.y())) - region_.y;
+  if (x < 0 || y < 0 || x >= region_.width || y >= region_.height) return 0.0F;
+  return depth_mm_.at<float>(y, x);
+}
+
+void ViewPainter::sample_contour(const Pose& camera_from_object, std::uint32_t seed,
+                                 ModelView& view) {
+  extractor_.extract({camera_from_object, camera_, region_, grey_, depth_mm_}, kSpacing_px,
+                     !model_.textures.empty(), points_);
+  cv::GaussianBlur(grey_, smooth_grey_, {}, kEdgeBlur_px, kEdgeBlur_px, cv::BORDER_REPLICATE);
+  shuffle(points_, seed);
+  if (points_.size() > kMostContour) points_.resize(kMostContour);
+  for (const ContourPoint& point : points_) {
+    view.contour.push_back(sample_of(point, camera_from_object));
+  }
+}
+
+ContourSample ViewPainter::sample_of(const ContourPoint& point,
+                                     const Pose& camera_from_object) const {
+  const Eigen::Vector3d camera_mm = camera_from_object * point.object_mm;
+  const Eigen::Vector2d image_px = camera_.project(camera_mm);
+  const double mm_per_px = camera_mm.z() / camera_.fx_px;
+  Eigen::Vector2d normal = point.normal;
+  ContourSample sample;
+  if (point.texture) sample.polarity = 1;
+  const auto beside = [&](double px) { return depth_at(image_px + px * normal); };
+  const auto empty_beside = [&](double sign) {
+    return beside(sign * kProbe_px) == 0.0F && beside(sign * 2 * kProbe_px) == 0.0F;
+  };
+  if (empty_beside(-1) || (!empty_beside(1) && beside(-kProbe_px) > beside(kProbe_px))) {
+    normal = -normal;  // towards what is farther away
+    sample.polarity = -sample.polarity;
+  }
+
+  sample.object_mm = point.object_mm.cast<float>();
+  // Square to the line of sight.
+  const Eigen::Vector3d sight = camera_mm.normalized();
+  Eigen::Vector3d across(normal.x(), normal.y(), 0);
+  across = (across - across.dot(sight) * sight).normalized();
+  sample.normal = (camera_from_object.rotation.conjugate() * across).cast<float>();
+  sample.silhouette = empty_beside(1) && beside(-kProbe_px) > 0.0F;
+
+  // A sphere of radius r falls back by sqrt(2 r d) at a distance d inside its contour.
+  const float behind = beside(kBend_px), before = beside(-kBend_px);
+  const double step_mm = 0.03 * model_.mesh->radius_mm();
+  if (before > 0.0F && (behind == 0.0F || behind - camera_mm.z() > step_mm)) {
+    const double fall_mm = std::max(0.0, camera_mm.z() - before);
+    sample.curve_mm = static_cast<float>(
+        std::min(fall_mm * fall_mm / (2 * kBend_px * mm_per_px), 1.0 * model_.mesh->radius_mm()));
+  }
+  if (sample.silhouette) {
+    int inside = 1, outside = 1;
+    while (inside < kFarthest_px && beside(-inside - 1) > 0.0F) ++inside;
+    while (outside < kFarthest_px && beside(outside + 1) == 0.0F) ++outside;
+    sample.inside_mm = static_cast<float>(inside * mm_per_px);
+    sample.outside_mm = static_cast<float>(outside * mm_per_px);
+  }
+
+  const EdgeLine line({smooth_grey_, {region_.x, region_.y}}, image_px, normal, kShiftReach_px);
+  const EdgeLine::Edge seen = line.strongest();
+  const double most_px = point.crowded ? kShiftReach_px : kMostShift_px;
+  const bool found = seen.strength > 0 && std::abs(seen.offset_px) < most_px;
+  if (found) sample.shift_px = seen.offset_px;
+  if (point.crowded) sample.trust = found ? kCrowdedTrust : kBlindTrust;
+  return sample;
+}
+
+void ViewPainter::sample_edges(const Pose& camera_from_object, std::uint32_t seed,
+                               ModelView& view) {
+  std::vector<cv::Point> pixels;
+  cv::findNonZero(detect_edges(grey_, edges_).binary, pixels);
+  view.edge_px = static_cast<float>(pixels.size());
+  shuffle(pixels, seed);
+  const Pose object_from_camera = camera_from_object.inverse();
+  const int reach = 2 + edges_.dilation_px;
+  for (const cv::Point& pixel : pixels) {
+    if (view.edges == kMostEdges) break;
+    // An edge is also found on the pixel beside the object; its depth is that of the object there.
+    float depth_mm = 0;
+    int nearest = std::numeric_limits<int>::max();
+    for (int dy = -reach; dy <= reach; ++dy) {
+      for (int dx = -reach; dx <= reach; ++dx) {
+        const int x = pixel.x + dx, y = pixel.y + dy;
+        if (x < 0 || y < 0 || x >= region_.width || y >= region_.height) continue;
+        const float here = depth_mm_.at<float>(y, x);
+        if (here == 0.0F || dx * dx + dy * dy >= nearest) continue;
+        nearest = dx * dx + dy * dy;
+        depth_mm = here;
+      }
+    }
+    if (depth_mm == 0.0F) continue;
+    const Eigen::Vector3d camera_mm(
+        (pixel.x + region_.x - camera_.cx_px) / camera_.fx_px * depth_mm,
+        (pixel.y + region_.y - camera_.cy_px) / camera_.fy_px * depth_mm, depth_mm);
+    const Eigen::Vector3f object_mm = (object_from_camera * camera_mm).cast<float>();
+    view.edge_x.push_back(object_mm.x());
+    view.edge_y.push_back(object_mm.y());
+    view.edge_z.push_back(object_mm.z());
+    ++view.edges;
+  }
+}
+
+}  // namespace anneal6d

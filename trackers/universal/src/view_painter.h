@@ -1,0 +1,41 @@
+// SPDX-License-Identifier: BSD-3-Clause
+// Copyright (c) 2026 The Anneal6D authors
+#pragma once
+
+#include <cstdint>
+#include <opencv2/core/mat.hpp>
+
+#include "contour.h"
+#include "rasterizer.h"
+#include "view_model.h"
+
+namespace anneal6d {
+
+/// Makes the views of a `ViewModel`, one at a time: draws the object, finds its contour and the
+/// edge pixels of the drawing, and says of each what tracking wants to know. For one thread; copies
+/// are independent. The model outlives it.
+class ViewPainter {
+ public:
+  ViewPainter(const RasterModel& model, const EdgeOptions& edges, const Shading& shading);
+
+  /// From `direction` (unit, object frame); `seed` decides the order of the points.
+  ModelView paint(const Eigen::Vector3d& direction, std::uint32_t seed);
+
+ private:
+  void sample_contour(const Pose& camera_from_object, std::uint32_t seed, ModelView& view);
+  ContourSample sample_of(const ContourPoint& point, const Pose& camera_from_object) const;
+  void sample_edges(const Pose& camera_from_object, std::uint32_t seed, ModelView& view);
+  /// Depth of the picture, millimetres, 0 outside the object.
+  float depth_at(const Eigen::Vector2d& image_px) const;
+
+  const RasterModel& model_;
+  EdgeOptions edges_;
+  CameraModel camera_;
+  Rasterizer rasterizer_;
+  ContourExtractor extractor_;
+  Region region_;
+  cv::Mat grey_, depth_mm_, smooth_grey_;
+  std::vector<ContourPoint> points_;
+};
+
+}  // namespace anneal6d
