@@ -155,6 +155,7 @@ Command add_track_command(CLI::App& tool) {
          "Write the edges of each frame, of the rendered object, and those in both, as PNGs")
       ->type_name("DIR");
   add_simulation_options(*app, options->simulation);
+  add_device_options(*app, options->tracking.device);
   return {app, [options] { return track(*options); }};
 }
 

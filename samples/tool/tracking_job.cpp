@@ -70,8 +70,10 @@ TrackingJob open_tracking_job(const std::string& input, const TrackingOptions& o
     job.expected_frames = options.frames;
   }
 
+  check_device_options(input, options.device);
   FrameSourceSetup source;
   source.input = input;
+  source.settings = options.device;
   source.make_renderer = textured_renderers();
   if (!options.camera.empty()) source.camera = load_camera(options.camera);
   if (is_simulation(input)) {  // nothing can be simulated before the model is there
