@@ -19,7 +19,8 @@ constexpr int kMostAttempts = 200;
 
 }  // namespace
 
-CameraGroup::CameraGroup(const std::vector<std::string>& guids, const Dc1394Options& options) {
+CameraGroup::CameraGroup(const std::vector<std::string>& guids, const Dc1394Options& options)
+    : which_(options.frames) {
   if (guids.size() < 2) {
     throw ConfigError("a group needs the GUIDs of two or more cameras, separated by commas");
   }
@@ -34,7 +35,7 @@ CameraGroup::CameraGroup(const std::vector<std::string>& guids, const Dc1394Opti
 
 std::optional<FrameSet> CameraGroup::next() {
   frames_.clear();
-  for (const auto& source : sources_) frames_.push_back(source->next_timed());
+  for (const auto& source : sources_) frames_.push_back(source->next_timed(which_));
   const auto by_time = [](const TimedFrame& a, const TimedFrame& b) {
     return a.time_us < b.time_us;
   };
@@ -63,8 +64,9 @@ std::optional<FrameSet> CameraGroup::next() {
                          " apart; connect them to the same bus, give them the same frame rate and "
                          "no trigger of their own");
     }
+    // In order, so that it does not overtake the others.
     const auto behind = static_cast<std::size_t>(first - frames_.begin());
-    frames_[behind] = sources_[behind]->next_timed();
+    frames_[behind] = sources_[behind]->next_timed(Dc1394Options::Frames::every);
   }
 }
 

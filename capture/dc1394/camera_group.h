@@ -21,6 +21,7 @@ class CameraGroup : public FrameSetSource {
   std::size_t size() const override { return sources_.size(); }
 
  private:
+  Dc1394Options::Frames which_;
   std::vector<std::unique_ptr<Dc1394Source>> sources_;
   std::vector<TimedFrame> frames_;
   std::vector<std::int64_t> last_index_;  // of each camera's frame in the last set

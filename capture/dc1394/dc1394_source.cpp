@@ -147,9 +147,9 @@ std::optional<TimedFrame> Dc1394Source::take(Stream::Received received) {
   return timed;
 }
 
-TimedFrame Dc1394Source::next_timed() {
+TimedFrame Dc1394Source::next_timed(Dc1394Options::Frames which) {
   const milliseconds patience = in_ms(options_.stall_timeout_s);
-  const bool newest = options_.frames == Dc1394Options::Frames::newest;
+  const bool newest = which == Dc1394Options::Frames::newest;
   auto since = Clock::now();
   bool started_again = false;
   if (camera_) fire_trigger();

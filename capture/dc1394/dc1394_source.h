@@ -43,11 +43,12 @@ class Dc1394Source : public FrameSource {
   Dc1394Source(const std::string& guid, Dc1394Options options, std::optional<CameraModel> camera);
   ~Dc1394Source() override;
 
-  std::optional<Frame> next() override { return next_timed().frame; }
+  std::optional<Frame> next() override { return next_timed(options_.frames).frame; }
   std::string description() const override;
   std::optional<CameraModel> camera() const override { return calibration_; }
 
-  TimedFrame next_timed();
+  /// Whatever the options say: the newest frame, or the next in order.
+  TimedFrame next_timed(Dc1394Options::Frames which);
   const std::string& name() const { return name_; }
   std::uint64_t guid() const { return guid_; }
   double period_s() const { return configuration_.period_s; }

@@ -17,46 +17,70 @@ using Debayer = Dc1394Options::Debayer;
 
 std::uint8_t clamp(int value) { return static_cast<std::uint8_t>(std::clamp(value, 0, 255)); }
 
-// ITU-R BT.601, full range, in 1/65536.
-struct Chroma {
-  int blue, green, red;
-  Chroma(int u, int v)
-      : blue(116130 * (u - 128)),
-        green(-22554 * (u - 128) - 46802 * (v - 128)),
-        red(91881 * (v - 128)) {}
+// A run of pixels, split into planes: loops over these are what compilers vectorise.
+struct Run {
+  static constexpr std::size_t kLength = 64;
+  std::array<std::uint8_t, kLength> y, u, v;
 };
 
-void put_bgr(std::uint8_t* bgr, int luma, const Chroma& chroma) {
-  const int y = (luma << 16) + 32768;
-  bgr[0] = clamp((y + chroma.blue) >> 16);
-  bgr[1] = clamp((y + chroma.green) >> 16);
-  bgr[2] = clamp((y + chroma.red) >> 16);
+// ITU-R BT.601, full range, in 1/65536.
+void put_bgr(const Run& run, std::size_t length, std::uint8_t* bgr) {
+  std::array<std::uint8_t, Run::kLength> blue, green, red;
+  for (std::size_t i = 0; i < Run::kLength; ++i) {
+    const int y = (run.y[i] << 16) + 32768, u = run.u[i] - 128, v = run.v[i] - 128;
+    blue[i] = clamp((y + 116130 * u) >> 16);
+    green[i] = clamp((y - 22554 * u - 46802 * v) >> 16);
+    red[i] = clamp((y + 91881 * v) >> 16);
+  }
+  for (std::size_t i = 0; i < length; ++i) {
+    bgr[3 * i] = blue[i];
+    bgr[3 * i + 1] = green[i];
+    bgr[3 * i + 2] = red[i];
+  }
 }
 
 // U Y V
-void decode_yuv444(const std::uint8_t* yuv, std::size_t pixels, std::uint8_t* bgr) {
-  for (std::size_t i = 0; i < pixels; ++i, yuv += 3, bgr += 3) {
-    put_bgr(bgr, yuv[1], Chroma(yuv[0], yuv[2]));
+void split_yuv444(const std::uint8_t* yuv, std::size_t length, Run& run) {
+  for (std::size_t i = 0; i < length; ++i) {
+    run.u[i] = yuv[3 * i];
+    run.y[i] = yuv[3 * i + 1];
+    run.v[i] = yuv[3 * i + 2];
   }
 }
 
 // U Y V Y
-void decode_yuv422(const std::uint8_t* yuv, std::size_t pixels, std::uint8_t* bgr) {
-  for (std::size_t i = 0; i < pixels; i += 2, yuv += 4, bgr += 6) {
-    const Chroma chroma(yuv[0], yuv[2]);
-    put_bgr(bgr, yuv[1], chroma);
-    put_bgr(bgr + 3, yuv[3], chroma);
+void split_yuv422(const std::uint8_t* yuv, std::size_t length, Run& run) {
+  for (std::size_t i = 0; i < length / 2; ++i) {
+    run.u[2 * i] = run.u[2 * i + 1] = yuv[4 * i];
+    run.y[2 * i] = yuv[4 * i + 1];
+    run.v[2 * i] = run.v[2 * i + 1] = yuv[4 * i + 2];
+    run.y[2 * i + 1] = yuv[4 * i + 3];
   }
 }
 
 // U Y Y V Y Y
-void decode_yuv411(const std::uint8_t* yuv, std::size_t pixels, std::uint8_t* bgr) {
-  for (std::size_t i = 0; i < pixels; i += 4, yuv += 6, bgr += 12) {
-    const Chroma chroma(yuv[0], yuv[3]);
-    put_bgr(bgr, yuv[1], chroma);
-    put_bgr(bgr + 3, yuv[2], chroma);
-    put_bgr(bgr + 6, yuv[4], chroma);
-    put_bgr(bgr + 9, yuv[5], chroma);
+void split_yuv411(const std::uint8_t* yuv, std::size_t length, Run& run) {
+  for (std::size_t i = 0; i < length / 4; ++i) {
+    for (std::size_t k = 0; k < 4; ++k) {
+      run.u[4 * i + k] = yuv[6 * i];
+      run.v[4 * i + k] = yuv[6 * i + 3];
+    }
+    run.y[4 * i] = yuv[6 * i + 1];
+    run.y[4 * i + 1] = yuv[6 * i + 2];
+    run.y[4 * i + 2] = yuv[6 * i + 4];
+    run.y[4 * i + 3] = yuv[6 * i + 5];
+  }
+}
+
+template <class Split>
+void decode_yuv(const RawPicture& picture, std::size_t bits_per_pixel, const Split& split,
+                std::uint8_t* bgr) {
+  Run run{};
+  const auto pixels = static_cast<std::size_t>(picture.size.area());
+  for (std::size_t at = 0; at < pixels; at += Run::kLength) {
+    const std::size_t length = std::min(Run::kLength, pixels - at);
+    split(picture.bytes + at * bits_per_pixel / 8, length, run);
+    put_bgr(run, length, bgr + 3 * at);
   }
 }
 
@@ -125,22 +149,21 @@ cv::Mat Decoder::decode(const RawPicture& picture) {
   const bool grey =
       is_grey(picture.coding) || (is_raw(picture.coding) && debayer_ == Debayer::grey);
   cv::Mat image = pool_.take(picture.size, grey ? CV_8UC1 : CV_8UC3);
-  const auto pixels = static_cast<std::size_t>(picture.size.area());
   switch (picture.coding) {
     case DC1394_COLOR_CODING_MONO8:
-      std::memcpy(image.data, picture.bytes, pixels);
+      std::memcpy(image.data, picture.bytes, static_cast<std::size_t>(picture.size.area()));
       break;
     case DC1394_COLOR_CODING_MONO16:
       narrow(picture, image.data);
       break;
     case DC1394_COLOR_CODING_YUV444:
-      decode_yuv444(picture.bytes, pixels, image.data);
+      decode_yuv(picture, 24, split_yuv444, image.data);
       break;
     case DC1394_COLOR_CODING_YUV422:
-      decode_yuv422(picture.bytes, pixels, image.data);
+      decode_yuv(picture, 16, split_yuv422, image.data);
       break;
     case DC1394_COLOR_CODING_YUV411:
-      decode_yuv411(picture.bytes, pixels, image.data);
+      decode_yuv(picture, 12, split_yuv411, image.data);
       break;
     case DC1394_COLOR_CODING_RGB8:
       cv::cvtColor(cv::Mat(picture.size, CV_8UC3, picture.bytes), image, cv::COLOR_RGB2BGR);

@@ -8,6 +8,7 @@
 
 #include <algorithm>
 #include <cerrno>
+#include <fstream>
 #include <memory>
 #include <string_view>
 #include <system_error>
@@ -18,6 +19,13 @@ namespace {
 bool is_node(std::string_view name) {
   return name.size() > 2 && name.starts_with("fw") &&
          std::all_of(name.begin() + 2, name.end(), [](char c) { return c >= '0' && c <= '9'; });
+}
+
+// The computer's own node on the bus, which nobody needs for a camera.
+bool is_local(const std::string& name) {
+  std::ifstream file("/sys/bus/firewire/devices/" + name + "/is_local");
+  int local = 0;
+  return file >> local && local == 1;
 }
 
 int try_to_open(const std::string& path) {
@@ -34,7 +42,8 @@ std::vector<DeviceNode> list_device_nodes() {
   const std::unique_ptr<DIR, int (*)(DIR*)> folder(opendir("/dev"), closedir);
   if (!folder) return nodes;
   while (const dirent* entry = readdir(folder.get())) {
-    if (is_node(entry->d_name)) nodes.push_back({std::string("/dev/") + entry->d_name, 0});
+    if (is_node(entry->d_name) && !is_local(entry->d_name))
+      nodes.push_back({std::string("/dev/") + entry->d_name, 0});
   }
   for (DeviceNode& node : nodes) node.open_error = try_to_open(node.path);
   std::sort(nodes.begin(), nodes.end(),

@@ -7,7 +7,7 @@
 
 namespace anneal6d::dc1394 {
 
-/// A device of a FireWire bus: /dev/fwN.
+/// A device of a FireWire bus: /dev/fwN. The computer's own node is left out.
 struct DeviceNode {
   std::string path;
   int open_error = 0;  ///< errno of an attempt to open it; 0: it can be opened

@@ -22,8 +22,8 @@ class Dc1394Tool : public ToolTest {
                         quoted((sequence_ / "camera.yml").string());
 
   static std::string environment(const std::string& cameras) {
-    return "ANNEAL6D_EMULATED_DC1394=" + anneal6d::quoted(cameras) + " LD_PRELOAD=" +
-           quoted(ANNEAL6D_EMULATED_DC1394_LIBRARY) + " ";
+    return "ANNEAL6D_EMULATED_DC1394=" + anneal6d::quoted(cameras) +
+           " LD_PRELOAD=" + quoted(ANNEAL6D_EMULATED_DC1394_LIBRARY) + " ";
   }
 
   ProgramRun tool_with(const std::string& cameras, const std::string& arguments) const {
@@ -63,18 +63,17 @@ TEST_F(Dc1394Tool, TracksACameraAsItTracksTheFolderThatWasRecordedFromIt) {
 }
 
 TEST_F(Dc1394Tool, TracksOnWhileTheCameraIsUnpluggedAndBack) {
-  const ProgramRun run =
-      tool_with(camera_ + ",unplug=4,replug=2", "track dc1394:00b09d01009a1b2c --poses p.csv" +
-                                                    every_ + object_ + first_pose() +
-                                                    " --frames 8" + fast_);
+  const ProgramRun run = tool_with(camera_ + ",unplug=4,replug=2",
+                                   "track dc1394:00b09d01009a1b2c --poses p.csv" + every_ +
+                                       object_ + first_pose() + " --frames 8" + fast_);
   EXPECT_EQ(run.status, 0) << run.err;
   EXPECT_NE(run.err.find("settings restored"), std::string::npos) << run.err;
   EXPECT_EQ(poses("p.csv").size(), 9U);
 }
 
 TEST_F(Dc1394Tool, KeepsWhatWasRecordedBeforeTheCameraFailed) {
-  const ProgramRun run = tool_with(camera_ + ",dies=5",
-                                   "record dc1394: out --settle-frames 0 --stall-timeout 0.3");
+  const ProgramRun run =
+      tool_with(camera_ + ",dies=5", "record dc1394: out --settle-frames 0 --stall-timeout 0.3");
   EXPECT_EQ(run.status, 1);
   EXPECT_NE(run.err.find("00b09d01009a1b2c"), std::string::npos) << run.err;
   EXPECT_NE(run.err.find("kept"), std::string::npos) << run.err;
@@ -95,10 +94,26 @@ TEST_F(Dc1394Tool, AnInterruptEndsARecordingAndKeepsIt) {
                            " record dc1394: out & tool=$!; "
                            "until grep -q 'fps' log; do sleep 0.1; done; sleep 1; "
                            "kill -INT $tool; wait $tool";
-  const ProgramRun run = run_program("{ sh -c " + std::string("'trap - INT; ") + line + "' 2>log; }",
-                                     scratch_);
+  const ProgramRun run =
+      run_program("{ sh -c " + std::string("'trap - INT; ") + line + "' 2>log; }", scratch_);
   EXPECT_EQ(run.status, 0) << run.err;
   EXPECT_GT(open_sequence_folder(scratch_ / "out").images.size(), 1U);
+}
+
+TEST_F(Dc1394Tool, SampleTracksUntilItIsInterrupted) {
+  const auto cells = cells_of(lines_of(sequence_ / "groundtruth.csv").at(1));
+  std::string pose;
+  for (std::size_t i = 1; i < 8; ++i) pose += cells.at(i) + " ";
+  const ProgramRun run =
+      run_program("DISPLAY= WAYLAND_DISPLAY= " + environment(camera_) +
+                      "timeout --preserve-status --signal=INT 5 " +
+                      anneal6d::quoted(ANNEAL6D_TRACK_DRAGONFLY2) + " " +
+                      anneal6d::quoted((sequence_ / "model.obj").string()) + " " +
+                      anneal6d::quoted((sequence_ / "camera.yml").string()) + " " +
+                      anneal6d::quoted(pose) + " 00b09d01009a1b2c capture=every gain=300",
+                  scratch_);
+  EXPECT_EQ(run.status, 0) << run.err;
+  EXPECT_NE(run.out.find("frame      3  lost 0"), std::string::npos) << run.out;
 }
 
 TEST_F(Dc1394Tool, ListShowsCamerasAndWhySomeCantBeUsed) {
@@ -113,8 +128,7 @@ TEST_F(Dc1394Tool, ListShowsCamerasAndWhySomeCantBeUsed) {
 
 TEST_F(Dc1394Tool, SettingsComeFromAConfigurationFileAndAreNamedWithIt) {
   write("camera.toml", "gain = \"5000\"\nroi = \"0,0,320,240\"\n");
-  const ProgramRun run =
-      tool_with(camera_, "record dc1394: out --frames 2 --config camera.toml");
+  const ProgramRun run = tool_with(camera_, "record dc1394: out --frames 2 --config camera.toml");
   EXPECT_EQ(run.status, 2);
   EXPECT_NE(run.err.find("camera.toml: gain: '5000'"), std::string::npos) << run.err;
   EXPECT_NE(run.err.find("192..820"), std::string::npos) << run.err;
