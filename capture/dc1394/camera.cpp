@@ -102,4 +102,10 @@ std::uint32_t Camera::generation() const {
   return generation;
 }
 
+void refuse_setting(const Camera& camera, const std::string& setting, const std::string& value,
+                    const std::string& allowed) {
+  throw ConfigError("--" + setting + ": '" + value + "' can't be set on " + camera.name() + ": " +
+                    allowed);
+}
+
 }  // namespace anneal6d::dc1394

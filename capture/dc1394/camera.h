@@ -55,4 +55,8 @@ class Camera {
   std::string name_;
 };
 
+/// Throws ConfigError "--SETTING: 'VALUE' can't be set on CAMERA: ALLOWED".
+[[noreturn]] void refuse_setting(const Camera& camera, const std::string& setting,
+                                 const std::string& value, const std::string& allowed);
+
 }  // namespace anneal6d::dc1394

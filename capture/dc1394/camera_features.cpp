@@ -6,7 +6,6 @@
 #include <cmath>
 #include <cstdio>
 
-#include "anneal6d/framework/error.h"
 #include "anneal6d/framework/log.h"
 
 namespace anneal6d::dc1394 {
@@ -179,8 +178,7 @@ void apply_feature(const Camera& camera, const std::string& name,
   const Feature& feature = feature_of(name);
   const Limits limits(camera, feature);
   if (const std::string objection = limits.objection(setting); !objection.empty()) {
-    throw ConfigError("--" + name + ": '" + setting.text + "' can't be set on " + camera.name() +
-                      ": " + objection);
+    refuse_setting(camera, name, setting.text, objection);
   }
   if (limits.switchable()) {
     const dc1394switch_t on = setting.mode == Mode::off ? DC1394_OFF : DC1394_ON;

@@ -2,12 +2,15 @@
 // Copyright (c) 2026 The Anneal6D authors
 #include "camera_report.h"
 
+#include <utility>
+
 #include "anneal6d/framework/error.h"
 #include "camera.h"
 #include "camera_features.h"
 #include "device_nodes.h"
 #include "iso_channel.h"
 #include "library.h"
+#include "trigger.h"
 #include "video_format.h"
 
 namespace anneal6d::dc1394 {
@@ -33,6 +36,10 @@ Dc1394CameraReport report(std::uint64_t guid) {
     result.why_unusable = why_in_use(camera);
     result.modes = report_modes(camera);
     result.features = report_features(camera);
+    for (auto& row : report_trigger(camera)) result.features.push_back(std::move(row));
+    if (const int channels = camera.get()->max_mem_channel; channels > 0) {
+      result.features.push_back({"memory-load", "0.." + std::to_string(channels), "-"});
+    }
   } catch (const Error& error) {
     result.why_unusable = error.what();
   }

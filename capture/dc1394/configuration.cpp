@@ -5,6 +5,7 @@
 #include "camera_features.h"
 #include "dc1394_source.h"
 #include "extras.h"
+#include "trigger.h"
 
 namespace anneal6d::dc1394 {
 namespace {

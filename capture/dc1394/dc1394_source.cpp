@@ -61,14 +61,16 @@ Dc1394Source::~Dc1394Source() {
 
 void Dc1394Source::start(std::unique_ptr<Camera> camera) {
   silence(*camera);
+  if (features_) features_->restore(*camera);
   configuration_ = configure(*camera, options_, calibration_);
   decoder_.emplace(configuration_.format, options_);
+  if (!features_) features_.emplace(*camera);
+  generation_ = camera->generation();
   stream_ = std::make_unique<Stream>(*camera, options_);
   camera_ = std::move(camera);
   if (!clock_) clock_.emplace(configuration_.period_s);
   clock_->restart();
   unsettled_ = options_.settle_frames;
-  generation_ = camera_->generation();
 }
 
 void Dc1394Source::stop() { stream_.reset(); }

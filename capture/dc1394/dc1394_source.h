@@ -12,6 +12,7 @@
 #include "anneal6d/framework/frame_source.h"
 #include "camera.h"
 #include "decoder.h"
+#include "feature_snapshot.h"
 #include "frame_clock.h"
 #include "stream.h"
 #include "video_format.h"
@@ -68,8 +69,9 @@ class Dc1394Source : public FrameSource {
   std::optional<CameraModel> calibration_;
   std::uint64_t guid_ = 0;
   std::string name_;
-  std::unique_ptr<Camera> camera_;  // null while it is unplugged
-  std::unique_ptr<Stream> stream_;  // before the camera it goes
+  std::unique_ptr<Camera> camera_;           // null while it is unplugged
+  std::unique_ptr<Stream> stream_;           // before the camera it goes
+  std::optional<FeatureSnapshot> features_;  // as they were at the first start
   Configuration configuration_;
   std::optional<Decoder> decoder_;
   std::optional<FrameClock> clock_;

@@ -14,8 +14,6 @@ namespace {
 constexpr std::uint32_t kPresent = 0x80000000U;
 
 // IIDC 1.31, 4.6 and chapter 5.
-constexpr std::uint64_t kTriggerControl = 0x830;
-constexpr std::uint32_t kTriggerParameter = 0x00000FFFU;
 constexpr std::uint64_t kStrobeInquiry = 0x100, kStrobeControl = 0x200;
 constexpr std::uint32_t kStrobeOn = 0x02000000U, kStrobeHigh = 0x01000000U;
 
@@ -29,79 +27,25 @@ constexpr std::uint64_t kTable = 0x80000, kTableControl = 0x8000C, kTableOffset 
 constexpr std::uint32_t kTableOn = 0x04000000U;
 constexpr std::uint32_t kLargestTableBits = 16;
 
-[[noreturn]] void refuse(const Camera& camera, const std::string& setting, const std::string& value,
-                         const std::string& allowed) {
-  throw ConfigError("--" + setting + ": '" + value + "' can't be set on " + camera.name() + ": " +
-                    allowed);
-}
-
 void check_channel(const Camera& camera, const std::string& setting, int channel) {
   const int most = camera.get()->max_mem_channel;
   if (channel > most) {
-    refuse(camera, setting, std::to_string(channel),
-           most == 0 ? "it has no memory channels"
-                     : "it has the memory channels 1 to " + std::to_string(most));
+    refuse_setting(camera, setting, std::to_string(channel),
+                   most == 0 ? "it has no memory channels"
+                             : "it has the memory channels 1 to " + std::to_string(most));
   }
-}
-
-dc1394feature_info_t trigger_info(const Camera& camera) {
-  dc1394feature_info_t info{};
-  info.id = DC1394_FEATURE_TRIGGER;
-  check(dc1394_feature_get(camera.get(), &info), camera.name(), "read the trigger");
-  return info;
-}
-
-// Trigger modes are numbered 0 to 5, 14, 15; the library counts them without gaps.
-int mode_number(dc1394trigger_mode_t mode) {
-  const int place = mode - DC1394_TRIGGER_MODE_0;
-  return place <= 5 ? place : place + 8;
-}
-
-void set_trigger_mode(const Camera& camera, const dc1394feature_info_t& info, int number) {
-  std::string all = "off";
-  for (std::uint32_t i = 0; i < info.trigger_modes.num; ++i) {
-    const dc1394trigger_mode_t mode = info.trigger_modes.modes[i];
-    all += ", " + std::to_string(mode_number(mode));
-    if (mode_number(mode) != number) continue;
-    check(dc1394_external_trigger_set_mode(camera.get(), mode), camera.name(),
-          "set the trigger mode");
-    check(dc1394_external_trigger_set_power(camera.get(), DC1394_ON), camera.name(),
-          "switch the trigger on");
-    return;
-  }
-  refuse(camera, "trigger", std::to_string(number), "it has " + all);
-}
-
-void set_trigger_source(const Camera& camera, const dc1394feature_info_t& info,
-                        const std::string& name) {
-  const dc1394trigger_source_t wanted =
-      name == "software"
-          ? DC1394_TRIGGER_SOURCE_SOFTWARE
-          : static_cast<dc1394trigger_source_t>(DC1394_TRIGGER_SOURCE_0 + (name.front() - '0'));
-  const auto* end = info.trigger_sources.sources + info.trigger_sources.num;
-  if (std::find(info.trigger_sources.sources, end, wanted) == end) {
-    std::string all;
-    for (const auto* source = info.trigger_sources.sources; source != end; ++source) {
-      all += (all.empty() ? "" : ", ") + (*source == DC1394_TRIGGER_SOURCE_SOFTWARE
-                                              ? std::string("software")
-                                              : std::to_string(*source - DC1394_TRIGGER_SOURCE_0));
-    }
-    refuse(camera, "trigger-source", name, "it has " + all);
-  }
-  check(dc1394_external_trigger_set_source(camera.get(), wanted), camera.name(),
-        "set the trigger source");
 }
 
 void apply_strobe(const Camera& camera, const Dc1394Strobe& strobe) {
   const std::string value = std::to_string(strobe.pin);
   if (camera.get()->strobe_control_csr == 0) {
-    refuse(camera, "strobe", value, "it has no strobe outputs");
+    refuse_setting(camera, "strobe", value, "it has no strobe outputs");
   }
   const std::uint64_t pin = static_cast<std::uint64_t>(strobe.pin) * 4;
   std::uint32_t inquiry = 0;
   if (dc1394_get_strobe_register(camera.get(), kStrobeInquiry + pin, &inquiry) != DC1394_SUCCESS ||
       (inquiry & kPresent) == 0) {
-    refuse(camera, "strobe", value, "this pin has no strobe");
+    refuse_setting(camera, "strobe", value, "this pin has no strobe");
   }
   const std::uint32_t control = kPresent | kStrobeOn | (strobe.active_high ? kStrobeHigh : 0) |
                                 static_cast<std::uint32_t>(strobe.delay) << 12 |
@@ -116,7 +60,7 @@ void apply_power_and_memory(const Camera& camera, const Dc1394Options& options) 
   if (camera.get()->can_switch_on_off == DC1394_TRUE) {
     check(dc1394_camera_set_power(camera.get(), DC1394_ON), camera.name(), "switch it on");
   } else if (options.power_down) {
-    refuse(camera, "power-down", "on", "it can't be switched on and off");
+    refuse_setting(camera, "power-down", "on", "it can't be switched on and off");
   }
   if (!options.memory_load) return;
   check_channel(camera, "memory-load", *options.memory_load);
@@ -140,52 +84,12 @@ void save_memory(const Camera& camera, const Dc1394Options& options) {
                      "and on again");
 }
 
-void apply_trigger(const Camera& camera, const Dc1394Options& options) {
-  if (!options.trigger && options.trigger_source.empty() && !options.trigger_active_high &&
-      !options.trigger_parameter) {
-    return;
-  }
-  const dc1394feature_info_t info = trigger_info(camera);
-  if (info.available == DC1394_FALSE) {
-    refuse(camera, "trigger", options.trigger ? std::to_string(*options.trigger) : "",
-           "it has no external trigger");
-  }
-  if (!options.trigger_source.empty()) set_trigger_source(camera, info, options.trigger_source);
-  if (options.trigger_active_high) {
-    if (info.polarity_capable == DC1394_FALSE) {
-      refuse(camera, "trigger-polarity", *options.trigger_active_high ? "high" : "low",
-             "the polarity of its trigger is fixed");
-    }
-    check(dc1394_external_trigger_set_polarity(camera.get(), *options.trigger_active_high
-                                                                 ? DC1394_TRIGGER_ACTIVE_HIGH
-                                                                 : DC1394_TRIGGER_ACTIVE_LOW),
-          camera.name(), "set the trigger polarity");
-  }
-  if (options.trigger == -1) {
-    check(dc1394_external_trigger_set_power(camera.get(), DC1394_OFF), camera.name(),
-          "switch the trigger off");
-  } else if (options.trigger) {
-    set_trigger_mode(camera, info, *options.trigger);
-  }
-  if (options.trigger_parameter) {  // the library has no function for it
-    const std::uint32_t now = camera.read(kTriggerControl).value_or(kPresent);
-    camera.write(
-        kTriggerControl,
-        (now & ~kTriggerParameter) | static_cast<std::uint32_t>(*options.trigger_parameter),
-        "the trigger parameter");
-  }
-}
-
-bool waits_for_trigger(const Camera& camera) {
-  dc1394switch_t on = DC1394_OFF;
-  return dc1394_external_trigger_get_power(camera.get(), &on) == DC1394_SUCCESS && on == DC1394_ON;
-}
-
 void apply_pins(const Camera& camera, const Dc1394Options& options) {
   for (const Dc1394Strobe& strobe : options.strobes) apply_strobe(camera, strobe);
   if (!options.gpio_outputs.empty()) {
     const auto now = camera.from_point_grey() ? camera.read(kPinDirection) : std::nullopt;
-    if (!now) refuse(camera, "gpio-direction", "in|out", "its pins have no direction to set");
+    if (!now)
+      refuse_setting(camera, "gpio-direction", "in|out", "its pins have no direction to set");
     std::uint32_t value = *now;
     for (std::size_t pin = 0; pin < options.gpio_outputs.size(); ++pin) {
       const std::uint32_t bit = kPresent >> pin;
@@ -195,7 +99,8 @@ void apply_pins(const Camera& camera, const Dc1394Options& options) {
   }
   if (options.gpio_output) {
     if (camera.get()->PIO_control_csr == 0) {
-      refuse(camera, "gpio-output", std::to_string(*options.gpio_output), "it has no output pins");
+      refuse_setting(camera, "gpio-output", std::to_string(*options.gpio_output),
+                     "it has no output pins");
     }
     check(dc1394_pio_set(camera.get(), *options.gpio_output), camera.name(), "set the output pins");
   }
@@ -210,15 +115,15 @@ void apply_lookup_table(const Camera& camera, const Dc1394Options& options) {
   const auto offset = camera.read(kTableOffset);
   if ((inquiry & kPresent) == 0 || !offset || input_bits == 0 || input_bits > kLargestTableBits ||
       output_bits == 0 || output_bits > kLargestTableBits) {
-    refuse(camera, "lut", size, "it has no look-up table");
+    refuse_setting(camera, "lut", size, "it has no look-up table");
   }
   const std::size_t entries = std::size_t{1} << input_bits;
   const int largest = (1 << output_bits) - 1;
   const int given = *std::max_element(options.lookup_table.begin(), options.lookup_table.end());
   if (options.lookup_table.size() != entries || given > largest) {
-    refuse(camera, "lut", size + ", the largest " + std::to_string(given),
-           "its table has " + std::to_string(entries) + " entries from 0 to " +
-               std::to_string(largest));
+    refuse_setting(camera, "lut", size + ", the largest " + std::to_string(given),
+                   "its table has " + std::to_string(entries) + " entries from 0 to " +
+                       std::to_string(largest));
   }
   for (std::size_t i = 0; i < entries; ++i) {
     const auto value = static_cast<std::uint32_t>(options.lookup_table[i]);
@@ -232,7 +137,8 @@ bool apply_frame_info(const Camera& camera, const Dc1394Options& options) {
   const std::uint32_t now = camera.from_point_grey() ? camera.read(kFrameInfo).value_or(0) : 0;
   if ((now & kPresent) == 0) {
     if (options.frame_info == Dc1394Options::FrameInfo::on) {
-      refuse(camera, "frame-info", "on", "it can't put its frame counter into pictures; use auto");
+      refuse_setting(camera, "frame-info", "on",
+                     "it can't put its frame counter into pictures; use auto");
     }
     return false;
   }

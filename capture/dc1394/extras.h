@@ -16,11 +16,6 @@ void apply_power_and_memory(const Camera& camera, const Dc1394Options& options);
 /// Saves the settings to a memory channel and waits until that is done.
 void save_memory(const Camera& camera, const Dc1394Options& options);
 
-void apply_trigger(const Camera& camera, const Dc1394Options& options);
-
-/// Whether the camera waits for triggers.
-bool waits_for_trigger(const Camera& camera);
-
 /// Strobes and general purpose pins.
 void apply_pins(const Camera& camera, const Dc1394Options& options);
 

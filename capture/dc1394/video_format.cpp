@@ -14,12 +14,6 @@ namespace {
 
 constexpr double kPackets_per_s = 8000;
 
-[[noreturn]] void refuse(const Camera& camera, const std::string& setting, const std::string& value,
-                         const std::string& allowed) {
-  throw ConfigError("--" + setting + ": '" + value + "' can't be set on " + camera.name() + ": " +
-                    allowed);
-}
-
 std::string number_text(double value) {
   std::string text = std::to_string(value);
   text.erase(text.find_last_not_of('0') + 1);
@@ -63,8 +57,8 @@ Mode choose_mode(const Camera& camera, const Dc1394Options& options,
   if (!options.video_mode.empty()) {
     const auto mode = named(options.video_mode);
     if (mode == modes.end()) {
-      refuse(camera, "video-mode", options.video_mode,
-             "the camera has " + joined(mode_names(camera)));
+      refuse_setting(camera, "video-mode", options.video_mode,
+                     "the camera has " + joined(mode_names(camera)));
     }
     return *mode;
   }
@@ -115,8 +109,8 @@ VideoFormat apply_fixed(const Camera& camera, const Dc1394Options& options, cons
     }
   }
   if (!chosen) {
-    refuse(camera, "fps", options.fps ? number_text(*options.fps) : "",
-           mode.name + " comes at " + joined(all));
+    refuse_setting(camera, "fps", options.fps ? number_text(*options.fps) : "",
+                   mode.name + " comes at " + joined(all));
   }
   check(dc1394_video_set_mode(camera.get(), mode.id), camera.name(), "set " + mode.name);
   check(dc1394_video_set_framerate(camera.get(), *chosen), camera.name(), "set the frame rate");
@@ -141,7 +135,7 @@ dc1394color_coding_t choose_coding(const Camera& camera, const Dc1394Options& op
   const auto wanted = coding_of(options.coding);
   if (!wanted ||
       std::find(limits.codings.begin(), limits.codings.end(), *wanted) == limits.codings.end()) {
-    refuse(camera, "coding", options.coding, mode.name + " has " + joined(names));
+    refuse_setting(camera, "coding", options.coding, mode.name + " has " + joined(names));
   }
   return *wanted;
 }
@@ -156,13 +150,13 @@ cv::Rect choose_region(const Camera& camera, const Dc1394Options& options, const
                     roi.height % limits.unit_size.height == 0 &&
                     roi.x % limits.unit_position.x == 0 && roi.y % limits.unit_position.y == 0;
   if (!fits) {
-    refuse(camera, "roi",
-           std::to_string(roi.x) + "," + std::to_string(roi.y) + "," + std::to_string(roi.width) +
-               "," + std::to_string(roi.height),
-           mode.name + " allows regions within " + size_text(limits.largest) +
-               ", width and height in steps of " + size_text(limits.unit_size) +
-               ", left and top in steps of " + std::to_string(limits.unit_position.x) + " and " +
-               std::to_string(limits.unit_position.y));
+    refuse_setting(camera, "roi",
+                   std::to_string(roi.x) + "," + std::to_string(roi.y) + "," +
+                       std::to_string(roi.width) + "," + std::to_string(roi.height),
+                   mode.name + " allows regions within " + size_text(limits.largest) +
+                       ", width and height in steps of " + size_text(limits.unit_size) +
+                       ", left and top in steps of " + std::to_string(limits.unit_position.x) +
+                       " and " + std::to_string(limits.unit_position.y));
   }
   return roi;
 }
@@ -185,17 +179,18 @@ int choose_packet(const Camera& camera, const Dc1394Options& options, dc1394vide
   if (options.packet_bytes) {
     const auto bytes = static_cast<std::uint32_t>(*options.packet_bytes);
     if (bytes % unit != 0 || bytes > most) {
-      refuse(camera, "packet-size", std::to_string(*options.packet_bytes), allowed);
+      refuse_setting(camera, "packet-size", std::to_string(*options.packet_bytes), allowed);
     }
     return static_cast<int>(bytes);
   }
   if (options.fps) {
     const double needed = std::ceil(frame_bytes * *options.fps / kPackets_per_s / unit) * unit;
     if (needed > most) {
-      refuse(camera, "fps", number_text(*options.fps),
-             "this picture would need packets of " + number_text(needed) + " bytes, and " +
-                 allowed + ", enough for " + number_text(most * kPackets_per_s / frame_bytes) +
-                 " fps; choose a smaller --roi or a --coding of fewer bits");
+      refuse_setting(camera, "fps", number_text(*options.fps),
+                     "this picture would need packets of " + number_text(needed) + " bytes, and " +
+                         allowed + ", enough for " +
+                         number_text(most * kPackets_per_s / frame_bytes) +
+                         " fps; choose a smaller --roi or a --coding of fewer bits");
     }
     return static_cast<int>(needed);
   }

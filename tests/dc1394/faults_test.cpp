@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: BSD-3-Clause
 // Copyright (c) 2026 The Anneal6D authors
+#include <bit>
 #include <cerrno>
 #include <chrono>
 #include <thread>
@@ -91,6 +92,19 @@ TEST_F(Dc1394Faults, AnUnpluggedCameraGoesOnWhenItIsBackWithItsSettings) {
   EXPECT_TRUE(has(log_, {"unplugged", "settings restored", test::kGuidText}));
   EXPECT_EQ(reg(camera, 0x820) & 0xFFFU, 321U);
   EXPECT_EQ(reg(camera, 0x614), 0x80000000U);
+}
+
+TEST_F(Dc1394Faults, SettingsThatNobodyGaveAreRestoredAfterAReplug) {
+  test::EmulatedCamera& camera = camera_with(Fault::Kind::unplug);
+  camera.replug_after = 2;
+  open({{"gain", "444"}, {"shutter", "abs:7"}});  // by another program, say
+  {
+    const auto source = open();
+    for (int i = 0; i < 10; ++i) source->next();
+  }
+  EXPECT_TRUE(has(log_, {"unplugged", "settings restored"}));
+  EXPECT_EQ(reg(camera, 0x820) & 0xFFFU, 444U);
+  EXPECT_NEAR(std::bit_cast<float>(reg(camera, 0x978)), 0.007F, 1e-6);
 }
 
 TEST_F(Dc1394Faults, IndexAndTimeGoOnOverAReplug) {

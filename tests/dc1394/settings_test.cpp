@@ -89,6 +89,14 @@ TEST_F(Dc1394Settings, BModeIsRefusedWhereThereIsNone) {
   expect_refused("DR2-BW", {{"iso-speed", "800"}}, {"--iso-speed", "800", "100, 200 and 400"});
 }
 
+TEST_F(Dc1394Settings, BModeIsUsedWhereThereIsOne) {
+  test::EmulatedCamera& camera = bus_.add_camera("DR2-BW", test::kGuid);
+  camera.registers().add_b_mode();
+  const auto source = open({{"iso-speed", "800"}});
+  EXPECT_TRUE(source->next());
+  EXPECT_EQ(reg(camera, 0x60C) & 0x8007U, 0x8003U);
+}
+
 TEST_F(Dc1394Settings, AbsentFeaturesAndValuesOutOfRangeAreRefused) {
   expect_refused("DR2-BW", {{"white-balance", "auto"}}, {"--white-balance", "no such feature"});
   expect_refused("DR2-BW", {{"gain", "5000"}}, {"--gain", "5000", "192..820", "abs:0..24 dB"});

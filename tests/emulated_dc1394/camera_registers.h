@@ -47,6 +47,9 @@ class CameraRegisters {
   bool waits_for_trigger() const;
   bool take_software_trigger();
 
+  /// 1394b: speeds beyond 400. The Dragonfly2 has it not, others do.
+  void add_b_mode() { values_[0x400] |= 0x00800000U; }
+
   /// Faults: writes to this control register (0x80C, ...) are answered with an error.
   void refuse_writes_to(std::uint32_t register_offset) { refused_.insert(register_offset); }
   /// Faults: every inquiry register (200..5FF and Format_7) answers this instead.
