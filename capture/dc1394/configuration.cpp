@@ -45,7 +45,6 @@ Configuration configure(const Camera& camera, const Dc1394Options& options,
   configuration.triggered = waits_for_trigger(camera);
   configuration.period_s =
       configuration.triggered ? 0 : free_running_period(camera, configuration.format);
-  save_memory(camera, options);
   return configuration;
 }
 

@@ -9,6 +9,7 @@
 
 #include "anneal6d/framework/error.h"
 #include "anneal6d/framework/log.h"
+#include "extras.h"
 #include "mode_names.h"
 
 namespace anneal6d::dc1394 {
@@ -64,9 +65,12 @@ void Dc1394Source::start(std::unique_ptr<Camera> camera) {
   if (features_) features_->restore(*camera);
   configuration_ = configure(*camera, options_, calibration_);
   decoder_.emplace(configuration_.format, options_);
-  if (!features_) features_.emplace(*camera);
+  if (!features_) {  // the first time
+    save_memory(*camera, options_);
+    features_.emplace(*camera);
+  }
   generation_ = camera->generation();
-  stream_ = std::make_unique<Stream>(*camera, options_);
+  stream_ = std::make_unique<IsoStream>(*camera, options_);
   camera_ = std::move(camera);
   if (!clock_) clock_.emplace(configuration_.period_s);
   clock_->restart();
@@ -107,8 +111,14 @@ void Dc1394Source::wait_for_camera() {
 }
 
 void Dc1394Source::fire_trigger() {
-  if (!configuration_.triggered || options_.trigger_source != "software") return;
-  check(dc1394_software_trigger_set_power(camera_->get(), DC1394_ON), name_, "trigger it");
+  if (!camera_ || !configuration_.triggered || options_.trigger_source != "software") return;
+  const dc1394error_t result = dc1394_software_trigger_set_power(camera_->get(), DC1394_ON);
+  if (result == DC1394_SUCCESS) return;
+  dc1394switch_t on = DC1394_OFF;
+  if (dc1394_video_get_transmission(camera_->get(), &on) == DC1394_SUCCESS) {
+    check(result, name_, "trigger it");
+  }
+  let_go("was unplugged; waiting for it");
 }
 
 // Lets a camera go that does not send any more.
@@ -127,7 +137,7 @@ void Dc1394Source::look_after_silent_camera(bool patience_is_short) {
   }
 }
 
-std::optional<TimedFrame> Dc1394Source::take(Stream::Received received) {
+std::optional<TimedFrame> Dc1394Source::take(IsoStream::Received received) {
   passed_unsettled_ += received.passed_over;
   if (unsettled_ > 0) {
     unsettled_ -= static_cast<int>(std::min<std::int64_t>(received.passed_over + 1, unsettled_));
@@ -154,13 +164,14 @@ TimedFrame Dc1394Source::next_timed(Dc1394Options::Frames which) {
   const bool newest = which == Dc1394Options::Frames::newest;
   auto since = Clock::now();
   bool started_again = false;
-  if (camera_) fire_trigger();
+  fire_trigger();
   for (;;) {
     if (!camera_ || !stream_) {
       wait_for_camera();
       // Starting it again is no excuse for a camera that stays silent.
       if (!started_again) since = Clock::now();
       fire_trigger();
+      continue;
     }
     const auto waited = std::chrono::duration_cast<milliseconds>(Clock::now() - since);
     if (waited >= patience) {
@@ -170,11 +181,11 @@ TimedFrame Dc1394Source::next_timed(Dc1394Options::Frames which) {
                               : "; check the cable, switch it off and on again") +
                          ", or allow more time with --stall-timeout");
     }
-    Stream::Received received = stream_->receive(std::min(kQuiet, patience - waited), newest);
-    if (received.outcome == Stream::Outcome::frame) {
+    IsoStream::Received received = stream_->receive(std::min(kQuiet, patience - waited), newest);
+    if (received.outcome == IsoStream::Outcome::frame) {
       if (auto frame = take(std::move(received))) return *std::move(frame);
       fire_trigger();
-    } else if (received.outcome == Stream::Outcome::gone) {
+    } else if (received.outcome == IsoStream::Outcome::gone) {
       let_go("was unplugged; waiting for it");
     } else {
       // One attempt to start it again in the second half of the patience.

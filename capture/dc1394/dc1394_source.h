@@ -14,7 +14,7 @@
 #include "decoder.h"
 #include "feature_snapshot.h"
 #include "frame_clock.h"
-#include "stream.h"
+#include "iso_stream.h"
 #include "video_format.h"
 
 namespace anneal6d::dc1394 {
@@ -63,14 +63,14 @@ class Dc1394Source : public FrameSource {
   void wait_for_camera();
   void fire_trigger();
   void look_after_silent_camera(bool patience_is_short);
-  std::optional<TimedFrame> take(Stream::Received received);
+  std::optional<TimedFrame> take(IsoStream::Received received);
 
   Dc1394Options options_;
   std::optional<CameraModel> calibration_;
   std::uint64_t guid_ = 0;
   std::string name_;
   std::unique_ptr<Camera> camera_;           // null while it is unplugged
-  std::unique_ptr<Stream> stream_;           // before the camera it goes
+  std::unique_ptr<IsoStream> stream_;        // before the camera it goes
   std::optional<FeatureSnapshot> features_;  // as they were at the first start
   Configuration configuration_;
   std::optional<Decoder> decoder_;

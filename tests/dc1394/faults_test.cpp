@@ -95,16 +95,28 @@ TEST_F(Dc1394Faults, AnUnpluggedCameraGoesOnWhenItIsBackWithItsSettings) {
 }
 
 TEST_F(Dc1394Faults, SettingsThatNobodyGaveAreRestoredAfterAReplug) {
-  test::EmulatedCamera& camera = camera_with(Fault::Kind::unplug);
-  camera.replug_after = 2;
+  test::EmulatedCamera& camera = bus_.add_camera("DR2-BW", test::kGuid);
   open({{"gain", "444"}, {"shutter", "abs:7"}});  // by another program, say
   {
-    const auto source = open();
-    for (int i = 0; i < 10; ++i) source->next();
+    const std::lock_guard lock(bus_.mutex());
+    camera.add_fault({Fault::Kind::unplug, camera.frame() + 5});
+    camera.replug_after = 2;
   }
+  const auto source = open();
+  for (int i = 0; i < 20; ++i) source->next();
   EXPECT_TRUE(has(log_, {"unplugged", "settings restored"}));
   EXPECT_EQ(reg(camera, 0x820) & 0xFFFU, 444U);
   EXPECT_NEAR(std::bit_cast<float>(reg(camera, 0x978)), 0.007F, 1e-6);
+}
+
+TEST_F(Dc1394Faults, ATriggeredCameraGoesOnAfterAReplug) {
+  test::EmulatedCamera& camera = bus_.add_camera("DR2-BW", test::kGuid);
+  const auto source = open({{"trigger", "0"}, {"trigger-source", "software"}});
+  EXPECT_TRUE(source->next());
+  bus_.unplug(camera);
+  bus_.plug(camera);
+  EXPECT_TRUE(source->next());
+  EXPECT_TRUE(source->next());
 }
 
 TEST_F(Dc1394Faults, IndexAndTimeGoOnOverAReplug) {

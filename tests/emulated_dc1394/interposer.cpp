@@ -41,10 +41,24 @@ bool is_emulated(int fd) {
          emulated_descriptors[static_cast<std::size_t>(fd)].load(std::memory_order_acquire);
 }
 
-template <class Function>
-Function next_in_line(const char* name) {
-  return reinterpret_cast<Function>(dlsym(RTLD_NEXT, name));
-}
+// A function of the next in line. Without the guard of a local static: some of these are called
+// before a sanitizer is ready for guards.
+struct Next {
+  const char* name;
+  std::atomic<void*> address{nullptr};
+
+  template <class Function>
+  Function* as() {
+    void* found = address.load(std::memory_order_relaxed);
+    if (found == nullptr) {
+      found = dlsym(RTLD_NEXT, name);
+      address.store(found, std::memory_order_relaxed);
+    }
+    return reinterpret_cast<Function*>(found);
+  }
+};
+constinit Next next_open{"open"}, next_close{"close"}, next_read{"read"}, next_ioctl{"ioctl"},
+    next_mmap{"mmap"}, next_opendir{"opendir"}, next_readdir{"readdir"}, next_closedir{"closedir"};
 
 int open_device(const char* path) {
   const int fd = EmulatedBus::instance().open(path + std::strlen("/dev/"));
@@ -62,6 +76,8 @@ struct Listing {
   std::size_t at = 0;
 };
 
+std::atomic<int> listings_under_way = 0;
+
 std::mutex& listings_mutex() {
   static auto* mutex = new std::mutex;
   return *mutex;
@@ -73,6 +89,7 @@ std::map<DIR*, Listing>& listings() {
 }
 
 dirent* next_emulated_entry(DIR* folder, bool& listed) {
+  if (listings_under_way.load() == 0) return nullptr;
   const std::lock_guard lock(listings_mutex());
   const auto found = listings().find(folder);
   listed = found != listings().end();
@@ -93,8 +110,7 @@ int open(const char* path, int flags, ...) {
     va_end(arguments);
   }
   if (is_device(path)) return open_device(path);
-  static const auto next = next_in_line<int (*)(const char*, int, ...)>("open");
-  return next(path, flags, mode);
+  return next_open.as<int(const char*, int, ...)>()(path, flags, mode);
 }
 
 int close(int fd) {
@@ -103,13 +119,11 @@ int close(int fd) {
     EmulatedBus::instance().close(fd);
     return 0;
   }
-  static const auto next = next_in_line<int (*)(int)>("close");
-  return next(fd);
+  return next_close.as<int(int)>()(fd);
 }
 
 ssize_t read(int fd, void* buffer, size_t bytes) {
-  static const auto next = next_in_line<ssize_t (*)(int, void*, size_t)>("read");
-  const ssize_t got = next(fd, buffer, bytes);
+  const ssize_t got = next_read.as<ssize_t(int, void*, size_t)>()(fd, buffer, bytes);
   if (got == 0 && is_emulated(fd)) {  // the device was unplugged
     errno = ENODEV;
     return -1;
@@ -129,8 +143,7 @@ int ioctl(int fd, unsigned long request, ...) noexcept {
     errno = -result;
     return -1;
   }
-  static const auto next = next_in_line<int (*)(int, unsigned long, ...)>("ioctl");
-  return next(fd, request, argument);
+  return next_ioctl.as<int(int, unsigned long, ...)>()(fd, request, argument);
 }
 
 void* mmap(void* address, size_t length, int protection, int flags, int fd, off_t offset) noexcept {
@@ -138,13 +151,12 @@ void* mmap(void* address, size_t length, int protection, int flags, int fd, off_
     const std::shared_ptr<Client> client = EmulatedBus::instance().client(fd);
     return client ? client->map(length) : MAP_FAILED;
   }
-  static const auto next = next_in_line<void* (*)(void*, size_t, int, int, int, off_t)>("mmap");
-  return next(address, length, protection, flags, fd, offset);
+  return next_mmap.as<void*(void*, size_t, int, int, int, off_t)>()(address, length, protection,
+                                                                    flags, fd, offset);
 }
 
 DIR* opendir(const char* path) {
-  static const auto next = next_in_line<DIR* (*)(const char*)>("opendir");
-  DIR* folder = next(path);
+  DIR* folder = next_opendir.as<DIR*(const char*)>()(path);
   if (folder == nullptr || std::string_view(path) != "/dev") return folder;
   Listing listing;
   for (const std::string& name : EmulatedBus::instance().node_names()) {
@@ -156,13 +168,14 @@ DIR* opendir(const char* path) {
   }
   const std::lock_guard lock(listings_mutex());
   listings()[folder] = std::move(listing);
+  ++listings_under_way;
   return folder;
 }
 
 dirent* readdir(DIR* folder) {
   bool listed = false;
   if (dirent* entry = next_emulated_entry(folder, listed)) return entry;
-  static const auto next = next_in_line<dirent* (*)(DIR*)>("readdir");
+  auto* next = next_readdir.as<dirent*(DIR*)>();
   dirent* entry = next(folder);
   while (listed && entry != nullptr && std::string_view(entry->d_name).starts_with("fw")) {
     entry = next(folder);
@@ -171,12 +184,11 @@ dirent* readdir(DIR* folder) {
 }
 
 int closedir(DIR* folder) {
-  {
+  if (listings_under_way.load() > 0) {
     const std::lock_guard lock(listings_mutex());
-    listings().erase(folder);
+    listings_under_way -= static_cast<int>(listings().erase(folder));
   }
-  static const auto next = next_in_line<int (*)(DIR*)>("closedir");
-  return next(folder);
+  return next_closedir.as<int(DIR*)>()(folder);
 }
 
 }  // extern "C"

@@ -21,7 +21,7 @@ struct GiveBack {
 using RingFrame = std::unique_ptr<dc1394video_frame_t, GiveBack>;
 
 /// A camera that sends. Bus and camera are left as they were found: silent, nothing reserved.
-class Stream {
+class IsoStream {
  public:
   enum class Outcome { frame, nothing, gone };
   struct Received {
@@ -32,10 +32,10 @@ class Stream {
 
   /// Reserves channel and bandwidth and has the camera send. Throws BackendUnavailable (another
   /// program receives from it, no bandwidth), ConfigError (speed), CaptureError.
-  Stream(const Camera& camera, const Dc1394Options& options);
-  ~Stream();
-  Stream(const Stream&) = delete;
-  Stream& operator=(const Stream&) = delete;
+  IsoStream(const Camera& camera, const Dc1394Options& options);
+  ~IsoStream();
+  IsoStream(const IsoStream&) = delete;
+  IsoStream& operator=(const IsoStream&) = delete;
 
   /// Waits for a frame, at most this long; `newest` passes over all that wait but the last.
   /// Frames that arrived only in part are left out.
