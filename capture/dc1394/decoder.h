@@ -23,7 +23,8 @@ struct RawPicture {
   bool little_endian = false;
 };
 
-/// Turns what the camera sends into CV_8UC1 or BGR CV_8UC3, in one pass from the DMA buffer.
+/// Turns what the camera sends into CV_8UC1 or BGR CV_8UC3, in one pass from the DMA buffer (raw16
+/// in two).
 /// YUV is full range (IIDC 1.31, 3.3), which OpenCV's own conversions are not.
 class Decoder {
  public:

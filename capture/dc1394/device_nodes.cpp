@@ -66,8 +66,10 @@ std::string explain_closed_nodes(const std::vector<DeviceNode>& nodes) {
   std::string text;
   if (!denied.empty()) {
     text = "this user may not open " + denied +
-           "; install capture/dc1394/60-anneal6d-firewire.rules in /etc/udev/rules.d, add the user "
-           "to the group video (sudo usermod -aG video USER), log in again and replug the camera";
+           "; copy 60-anneal6d-firewire.rules (in capture/dc1394 of the sources, share/anneal6d "
+           "of an installation) to /etc/udev/rules.d, run sudo udevadm control --reload, add the "
+           "user to the group video (sudo usermod -aG video USER), log in again and replug the "
+           "camera";
   }
   if (!others.empty()) text += (text.empty() ? "" : "; ") + others;
   return text;

@@ -50,7 +50,7 @@ class Dc1394Test : public ::testing::Test {
     Settings settings;
     for (const auto& [name, value] : {std::pair<const char*, const char*>{"capture", "every"},
                                       {"settle-frames", "0"},
-                                      {"stall-timeout", "0.6"},
+                                      {"stall-timeout", "3"},
                                       {"recovery-timeout", "5"}}) {
       settings.set(name, value);
     }

@@ -141,7 +141,7 @@ TEST_F(Dc1394Faults, ACameraThatStaysAwayIsAnErrorThatNamesItAndCanBeTriedAgain)
 
 TEST_F(Dc1394Faults, AStalledCameraIsStartedAgain) {
   camera_with(Fault::Kind::stall);
-  const auto source = open({{"stall-timeout", "1"}});
+  const auto source = open();
   take_three(*source);
   EXPECT_TRUE(source->next());
   EXPECT_TRUE(has(log_, {"no frame although it should send", "settings restored"}));
