@@ -57,7 +57,7 @@ TEST_F(Dc1394Group, SaysThatCamerasDoNotRunInStep) {
 }
 
 TEST_F(Dc1394Group, NeedsTwoDifferentCameras) {
-  const auto open_with = [](std::vector<std::string> guids) {
+  const auto open_with = [](const std::vector<std::string>& guids) {
     return [guids] { open_dc1394_group(guids, Dc1394Options()); };
   };
   EXPECT_TRUE(has(message_of<ConfigError>(open_with({"a"})), {"two or more"}));

@@ -157,8 +157,15 @@ TEST_F(Dc1394Settings, ExposuresMayBeLongerThanAFrameWithoutRateControl) {
   expect_refused("DR2-BW", {{"shutter", "abs:2000"}}, {"--shutter", "abs:2000", "66.6 ms"});
   bus_.clear();
   test::EmulatedCamera& camera = bus_.add_camera("DR2-BW", test::kGuid);
-  open({{"shutter", "abs:2000"}, {"frame-rate", "off"}});
+  open({{"shutter", "abs:2000"}, {"frame-rate", "off"}, {"stall-timeout", "5"}});
   EXPECT_NEAR(as_float(reg(camera, 0x978)), 2, 1e-6);
+}
+
+TEST_F(Dc1394Settings, AStallTimeoutTooShortForTheExposureIsRefused) {
+  expect_refused("DR2-BW", {{"shutter", "abs:2000"}, {"frame-rate", "off"}},
+                 {"--stall-timeout", "'3'", "at least 4"});
+  expect_refused("DR2-BW", {{"fps", "1.875"}, {"stall-timeout", "1"}},
+                 {"--stall-timeout", "'1'", "at least 1.067"});
 }
 
 TEST_F(Dc1394Settings, TriggerStrobeAndPinsReachTheRegisters) {

@@ -11,8 +11,6 @@
 namespace anneal6d {
 namespace {
 
-namespace fs = std::filesystem;
-
 class Dc1394Tool : public ToolTest {
  protected:
   // A grey camera that shows the short sequence.
