@@ -16,14 +16,19 @@
 namespace anneal6d::dc1394 {
 namespace {
 
-std::string why_in_use(const Camera& camera) {
+std::string why_unusable(const Camera& camera) {
   dc1394switch_t on = DC1394_OFF;
   std::uint32_t channel = 64;
   check(dc1394_video_get_transmission(camera.get(), &on), camera.name(), "ask whether it sends");
-  if (on == DC1394_OFF) return {};
   dc1394_video_get_iso_channel(camera.get(), &channel);
-  if (is_channel_free(camera.guid(), static_cast<int>(channel))) return {};
-  return "another program receives from it on channel " + std::to_string(channel);
+  if (on == DC1394_ON && !is_channel_free(camera.guid(), static_cast<int>(channel))) {
+    return "another program receives from it on channel " + std::to_string(channel);
+  }
+  std::uint32_t units = 0;
+  dc1394_video_get_bandwidth_usage(camera.get(), &units);
+  if (is_bandwidth_free(camera.guid(), units)) return {};
+  return "its bus has not the bandwidth left for the mode that it is in, " + std::to_string(units) +
+         " of 4915 units; stop other cameras or use a mode of fewer bits";
 }
 
 Dc1394CameraReport report(std::uint64_t guid) {
@@ -33,7 +38,7 @@ Dc1394CameraReport report(std::uint64_t guid) {
     const Camera camera(guid);
     if (camera.get()->vendor != nullptr) result.vendor = camera.get()->vendor;
     if (camera.get()->model != nullptr) result.model = camera.get()->model;
-    result.why_unusable = why_in_use(camera);
+    result.why_unusable = why_unusable(camera);
     result.modes = report_modes(camera);
     result.features = report_features(camera);
     for (auto& row : report_trigger(camera)) result.features.push_back(std::move(row));

@@ -11,4 +11,8 @@ namespace anneal6d::dc1394 {
 /// the question can't be put.
 bool is_channel_free(std::uint64_t guid, int channel);
 
+/// Whether so much bandwidth, of 4915 units, is left on the camera's bus. True also if the question
+/// can't be put.
+bool is_bandwidth_free(std::uint64_t guid, std::uint32_t units);
+
 }  // namespace anneal6d::dc1394

@@ -50,6 +50,12 @@ TEST_F(Dc1394List, SaysThatACameraIsInUse) {
   EXPECT_TRUE(has(list_dc1394_cameras().at(0).why_unusable, {"another program"}));
 }
 
+TEST_F(Dc1394List, SaysThatTheBusIsTooBusy) {
+  bus_.add_camera("DR2-BW", test::kGuid);
+  bus_.set_bandwidth(bandwidth_ = 100);
+  EXPECT_TRUE(has(list_dc1394_cameras().at(0).why_unusable, {"bandwidth", "of 4915"}));
+}
+
 TEST_F(Dc1394List, SaysThatThisUserMayNotOpenThem) {
   bus_.add_camera("DR2-BW", test::kGuid);
   bus_.set_open_error(EACCES);
