@@ -84,7 +84,8 @@ TEST(OpenFrameSource, RefusesWhatNamesNoCamera) {
 }
 
 TEST(OpenFrameSource, SaysWhyAFireWireCameraCantBeOpened) {
-  const std::string message = message_of<BackendUnavailable>([] { open("dc1394:fedcba9876543210"); });
+  const std::string message =
+      message_of<BackendUnavailable>([] { open("dc1394:fedcba9876543210"); });
   const std::string reason = why_dc1394_is_unavailable();
   EXPECT_TRUE(contains(message, reason.empty() ? "fedcba9876543210" : reason)) << message;
 }
