@@ -25,6 +25,10 @@ write_basic_package_version_file(anneal6dConfigVersion.cmake COMPATIBILITY SameM
 install(FILES ${CMAKE_CURRENT_BINARY_DIR}/anneal6dConfig.cmake
               ${CMAKE_CURRENT_BINARY_DIR}/anneal6dConfigVersion.cmake
         DESTINATION ${package_folder})
+if(ANNEAL6D_HAS_DC1394)
+  install(FILES capture/dc1394/60-anneal6d-firewire.rules
+          DESTINATION ${CMAKE_INSTALL_DATADIR}/anneal6d)
+endif()
 install(FILES LICENSE DESTINATION ${CMAKE_INSTALL_DOCDIR})
 
 if(ANNEAL6D_BUILD_SAMPLES)

@@ -29,17 +29,17 @@ void track_sequence(const char* path) {
       std::make_shared<const anneal6d::TriangleMesh>(anneal6d::load_mesh(*folder.model_file));
   setup.camera = *source.camera();
   setup.symmetry = folder.symmetry;
-  setup.settings.set("particles", "300");
   setup.settings.set("seed", "1");
   setup.scorers = anneal6d::cpu_scorer_plugins();
   const auto tracker =
       anneal6d::make_plugin(anneal6d::tracker_plugins(), "tracker", "universal", setup);
 
   // The pose of the first frame must be known; here the sequence tells it.
-  if (!source.next() || !source.ground_truth()) {
+  const auto first = source.next();
+  if (!first || !source.ground_truth()) {
     throw anneal6d::FileError(path, "groundtruth.csv", "the first frame's pose is not known");
   }
-  tracker->reset(*source.ground_truth());
+  tracker->reset(*source.ground_truth(), *first);
 
   while (const auto frame = source.next()) {
     const anneal6d::TrackResult result = tracker->track(*frame);

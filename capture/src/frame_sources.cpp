@@ -8,6 +8,7 @@
 #include <system_error>
 
 #include "anneal6d/capture/camera_source.h"
+#include "anneal6d/capture/dc1394.h"
 #include "anneal6d/capture/sequence_source.h"
 #include "anneal6d/capture/video_source.h"
 #include "anneal6d/framework/error.h"
@@ -53,11 +54,6 @@ std::string scheme_of(const std::string& input) {
   return is_name ? name : std::string();
 }
 
-bool has_row(const FrameSourceTable& table, std::string_view name) {
-  return std::any_of(table.begin(), table.end(),
-                     [name](const FrameSourcePlugin& row) { return row.name == name; });
-}
-
 }  // namespace
 
 std::string input_argument(const std::string& input) {
@@ -79,6 +75,12 @@ FrameSourceTable frame_source_plugins() {
        [](const FrameSourceSetup& setup) {
          return std::make_unique<CameraSource>(camera_number(setup.input), setup.camera);
        }},
+      {"dc1394", "dc1394:GUID or dc1394:, a FireWire camera (IIDC, Dragonfly2)",
+       why_dc1394_is_unavailable,
+       [](const FrameSourceSetup& setup) {
+         return open_dc1394_camera(input_argument(setup.input), Dc1394Options::from(setup.settings),
+                                   setup.camera);
+       }},
       {"simulate", "simulate:, a drawn object that moves", always_available, make_simulation},
   };
 }
@@ -94,9 +96,6 @@ std::unique_ptr<FrameSource> open_frame_source(const FrameSourceTable& table,
     return make_plugin(table, kind, "video", setup);
   }
   const std::string scheme = scheme_of(setup.input);
-  if (scheme == "dc1394" && !has_row(table, scheme)) {
-    throw BackendUnavailable("'" + setup.input + "': this build has no dc1394 module");
-  }
   if (!scheme.empty()) return make_plugin(table, kind, scheme, setup);
   throw FileError(setup.input, "", "there is no such folder or file; " + std::string(kForms));
 }

@@ -6,10 +6,12 @@
 #include <array>
 #include <cctype>
 #include <map>
+#include <memory>
 #include <nlohmann/json.hpp>
 #include <random>
 #include <string_view>
 #include <system_error>
+#include <vector>
 
 #include "anneal6d/framework/atomic_file.h"
 #include "anneal6d/framework/error.h"
@@ -118,11 +120,11 @@ std::string frame_name(std::int64_t index, bool jpeg) {
   return "frame_" + digits + (jpeg ? ".jpg" : ".png");
 }
 
-std::string meta_json(const std::string& name, const FrameSource& source, std::int64_t frames,
+std::string meta_json(const std::string& name, const std::string& description, std::int64_t frames,
                       const Settings& settings) {
   nlohmann::ordered_json meta;
   meta["name"] = name;
-  meta["source"] = source.description();
+  meta["source"] = description;
   meta["frames"] = frames;
   meta["units"] =
       "millimetres; poses are camera_from_object (x right, y down, z forward), "
@@ -135,43 +137,134 @@ std::string meta_json(const std::string& name, const FrameSource& source, std::i
   return meta.dump(1, ' ', false, nlohmann::ordered_json::error_handler_t::replace) + "\n";
 }
 
+// What has been written so far, and the rest of a sequence folder.
+class PendingSequence {
+ public:
+  PendingSequence(const fs::path& folder, const SequenceWriterOptions& options)
+      : target_(checked_target(folder, options)), pending_(target_), options_(&options) {}
+
+  std::int64_t count() const { return count_; }
+
+  void add(const Frame& frame, const std::optional<Pose>& truth) {
+    if (count_ == kMostFrames) throw ConfigError("a sequence holds at most 1000000 frames");
+    write_image(pending_.path() / frame_name(count_, options_->jpeg_quality > 0), frame.image,
+                options_->jpeg_quality);
+    if (truth) ground_truth_[count_] = *truth;
+    ++count_;
+  }
+
+  void commit(const std::string& description, const std::optional<CameraModel>& camera,
+              const TriangleMesh* mesh) {
+    if (count_ == 0) throw ConfigError(description + " gives no frame to write");
+    if (camera) save_camera(*camera, pending_.path() / "camera.yml");
+    if (mesh != nullptr) write_obj(*mesh, pending_.path() / "model.obj");
+    if (!ground_truth_.empty()) save_poses(ground_truth_, pending_.path() / "groundtruth.csv");
+    const std::string name = options_->name.empty() ? target_.filename().string() : options_->name;
+    write_file_atomically(pending_.path() / "meta.json",
+                          meta_json(name, description, count_, options_->settings));
+    pending_.commit();
+  }
+
+ private:
+  static fs::path checked_target(const fs::path& folder, const SequenceWriterOptions& options) {
+    if (options.jpeg_quality < 0 || options.jpeg_quality > 100) {
+      throw ConfigError("jpeg-quality is " + std::to_string(options.jpeg_quality) +
+                        ", it must lie within 0 (PNG) and 100");
+    }
+    const fs::path target = with_name(folder);
+    check_target(target, options.force);
+    return target;
+  }
+
+  fs::path target_;
+  PendingFolder pending_;
+  const SequenceWriterOptions* options_;
+  std::map<std::int64_t, Pose> ground_truth_;
+  std::int64_t count_ = 0;
+};
+
+// Has `step` write frames until it says that there are no more, then keeps them: also if the
+// camera fails, whose error is thrown after that.
+template <class Step, class Keep>
+void record_until_done(const SequenceWriterOptions& options, const Step& step, const Keep& keep) {
+  std::string failure;
+  std::int64_t count = 0;
+  try {
+    while (step()) {
+      ++count;
+      if (options.progress) options.progress(count);
+      if (options.stop && options.stop(count)) break;
+    }
+  } catch (const CaptureError& error) {
+    if (count == 0) throw;
+    failure = error.what();
+  }
+  keep();
+  if (!failure.empty()) throw CaptureError(failure + "; the frames before that are kept");
+}
+
 }  // namespace
 
 std::int64_t write_sequence(FrameSource& source, const TriangleMesh& mesh, const fs::path& folder,
                             const SequenceWriterOptions& options) {
-  if (options.jpeg_quality < 0 || options.jpeg_quality > 100) {
-    throw ConfigError("jpeg-quality is " + std::to_string(options.jpeg_quality) +
-                      ", it must lie within 0 (PNG) and 100");
-  }
   const std::optional<CameraModel> camera = source.camera();
   if (!camera) {
     throw ConfigError("a sequence needs a calibration, and " + source.description() +
                       " has none (--camera FILE)");
   }
-  const fs::path target = with_name(folder);
-  check_target(target, options.force);
-
-  PendingFolder pending(target);
-  const bool jpeg = options.jpeg_quality > 0;
-  std::map<std::int64_t, Pose> ground_truth;
-  std::int64_t count = 0;
+  PendingSequence sequence(folder, options);
   while (const std::optional<Frame> frame = source.next()) {
-    if (count == kMostFrames) throw ConfigError("a sequence holds at most 1000000 frames");
-    write_image(pending.path() / frame_name(count, jpeg), frame->image, options.jpeg_quality);
-    if (const auto pose = source.ground_truth()) ground_truth[count] = *pose;
-    ++count;
-    if (options.progress) options.progress(count);
+    sequence.add(*frame, source.ground_truth());
+    if (options.progress) options.progress(sequence.count());
   }
-  if (count == 0) throw ConfigError(source.description() + " gives no frame to write");
+  sequence.commit(source.description(), camera, &mesh);
+  return sequence.count();
+}
 
-  save_camera(*camera, pending.path() / "camera.yml");
-  write_obj(mesh, pending.path() / "model.obj");
-  if (!ground_truth.empty()) save_poses(ground_truth, pending.path() / "groundtruth.csv");
-  const std::string name = options.name.empty() ? target.filename().string() : options.name;
-  write_file_atomically(pending.path() / "meta.json",
-                        meta_json(name, source, count, options.settings));
-  pending.commit();
-  return count;
+Recording record_sequence(FrameSource& source, const TriangleMesh* mesh, const fs::path& folder,
+                          const SequenceWriterOptions& options) {
+  PendingSequence sequence(folder, options);
+  Recording recording;
+  const auto step = [&] {
+    const std::optional<Frame> frame = source.next();
+    if (!frame) return false;
+    sequence.add(*frame, source.ground_truth());
+    recording.lost += frame->lost_before;
+    return true;
+  };
+  record_until_done(options, step,
+                    [&] { sequence.commit(source.description(), source.camera(), mesh); });
+  recording.frames = sequence.count();
+  return recording;
+}
+
+Recording record_sequences(FrameSetSource& source, const fs::path& folder,
+                           const SequenceWriterOptions& options) {
+  std::vector<std::unique_ptr<PendingSequence>> sequences;
+  for (std::size_t i = 0; i < source.size(); ++i) {
+    std::error_code error;
+    fs::create_directories(folder, error);
+    if (error) throw FileError(folder, "", "can't make this folder: " + error.message());
+    sequences.push_back(
+        std::make_unique<PendingSequence>(folder / ("camera_" + std::to_string(i)), options));
+  }
+  Recording recording;
+  const auto step = [&] {
+    const std::optional<FrameSet> set = source.next();
+    if (!set) return false;
+    for (std::size_t i = 0; i < set->frames.size(); ++i) {
+      sequences[i]->add(set->frames[i], std::nullopt);
+    }
+    recording.lost += set->lost_before;
+    return true;
+  };
+  record_until_done(options, step, [&] {
+    for (const auto& sequence : sequences) {
+      sequence->commit(source.description(), std::nullopt, nullptr);
+    }
+  });
+  recording.frames = sequences.front()->count();
+  return recording;
 }
 
 }  // namespace anneal6d

@@ -17,6 +17,7 @@ struct Command {
 Command add_track_command(CLI::App& tool);
 Command add_evaluate_command(CLI::App& tool);
 Command add_simulate_command(CLI::App& tool);
+Command add_record_command(CLI::App& tool);
 Command add_list_command(CLI::App& tool);
 
 }  // namespace anneal6d

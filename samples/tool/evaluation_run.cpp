@@ -39,7 +39,7 @@ SequenceEvaluation evaluate_sequence(const std::string& folder, const std::strin
   SequenceEvaluation evaluation;
   evaluation.rows.push_back(given_row(
       first->index,
-      start_tracker(*job.tracker, options.tracking, truth_of(truth, first->index), first->index)));
+      start_tracker(*job.tracker, options.tracking, truth_of(truth, first->index), *first)));
   progress.advance();
 
   std::vector<JudgedFrame> judged;
@@ -55,7 +55,7 @@ SequenceEvaluation evaluate_sequence(const std::string& folder, const std::strin
     const PoseError error = pose_error(timed.result.camera_from_object, *true_pose, job.symmetry);
     judged.push_back({error, timed.milliseconds});
     if (options.protocol == Protocol::rbot && !error.is_within(kSuccess_mm, kSuccess_deg)) {
-      reset_to_truth(*job.tracker, *true_pose, frame->index);
+      reset_to_truth(*job.tracker, *true_pose, *frame);
       ++restarts;
     }
   }

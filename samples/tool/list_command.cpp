@@ -7,6 +7,7 @@
 #include <string>
 
 #include "anneal6d/capture/camera_source.h"
+#include "anneal6d/capture/dc1394.h"
 #include "command.h"
 #include "plugins.h"
 
@@ -36,6 +37,30 @@ void print_cameras() {
   }
 }
 
+void print_dc1394_camera(const Dc1394CameraReport& camera) {
+  if (camera.guid.empty()) {
+    fmt::print("  not available: {}\n", camera.why_unusable);
+    return;
+  }
+  fmt::print("  dc1394:{}  {} {}\n", camera.guid, camera.vendor, camera.model);
+  if (!camera.why_unusable.empty()) fmt::print("    not available: {}\n", camera.why_unusable);
+  for (const std::string& mode : camera.modes) fmt::print("    {}\n", mode);
+  for (const Dc1394FeatureReport& feature : camera.features) {
+    fmt::print("    --{:<14} {} (now {})\n", feature.name, feature.allowed, feature.current);
+  }
+}
+
+void print_dc1394_cameras() {
+  fmt::print("FireWire cameras\n");
+  if (const std::string reason = why_dc1394_is_unavailable(); !reason.empty()) {
+    fmt::print("  not available: {}\n", reason);
+    return;
+  }
+  const std::vector<Dc1394CameraReport> cameras = list_dc1394_cameras();
+  if (cameras.empty()) fmt::print("  none found\n");
+  for (const Dc1394CameraReport& camera : cameras) print_dc1394_camera(camera);
+}
+
 }  // namespace
 
 Command add_list_command(CLI::App& tool) {
@@ -49,6 +74,7 @@ Command add_list_command(CLI::App& tool) {
             print_table("scorers", all_scorers());
             print_table("frame sources", all_frame_sources());
             print_cameras();
+            print_dc1394_cameras();
             return 0;
           }};
 }

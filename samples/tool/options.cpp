@@ -2,6 +2,9 @@
 // Copyright (c) 2026 The Anneal6D authors
 #include "options.h"
 
+#include "anneal6d/capture/dc1394_options.h"
+#include "anneal6d/framework/error.h"
+
 namespace anneal6d {
 
 namespace {
@@ -89,6 +92,21 @@ void add_simulation_options(CLI::App& command, Settings& settings) {
   add("occluder", "on|off", "A forearm sweeps in front of the object");
   add("occluder-size", "SHARE", "Its width in diameters of the object");
   add("occluder-speed", "PX", "Pixels it moves a frame");
+}
+
+void add_device_options(CLI::App& command, Settings& settings) {
+  for (const Dc1394SettingInfo& setting : dc1394_settings()) {
+    add_setting(command, settings, setting.name, setting.type, setting.help)
+        ->group("FireWire camera (dc1394:)");
+  }
+}
+
+void check_device_options(const std::string& input, const Settings& settings) {
+  if (input.starts_with("dc1394:") || settings.begin() == settings.end()) return;
+  throw ConfigError("--" + settings.begin()->first +
+                    ": only for FireWire cameras (dc1394:), not "
+                    "for '" +
+                    input + "'");
 }
 
 }  // namespace anneal6d

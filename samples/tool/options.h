@@ -24,6 +24,7 @@ struct TrackingOptions {
   std::optional<std::int64_t> frames;  ///< how many frames are taken at most
   /// The tracker's: those that the user gave, and the seed, so that it can be reported.
   Settings settings;
+  Settings device;  ///< of the camera: see `add_device_options`
 };
 
 void add_tracking_options(CLI::App& command, TrackingOptions& options);
@@ -31,6 +32,12 @@ void add_tracking_options(CLI::App& command, TrackingOptions& options);
 /// Where the object's motion and picture are simulated: names are those of the simulation's
 /// settings. `settings` gets what the user gave.
 void add_simulation_options(CLI::App& command, Settings& settings);
+
+/// How a FireWire camera is set up. `settings` gets what the user gave.
+void add_device_options(CLI::App& command, Settings& settings);
+
+/// Throws ConfigError if device options were given for an input that has no such device.
+void check_device_options(const std::string& input, const Settings& settings);
 
 /// `--name`, kept as typed: whoever reads the setting checks the value.
 CLI::Option* add_setting(CLI::App& command, Settings& settings, const std::string& name,

@@ -74,11 +74,13 @@ class Outputs {
 struct Tally {
   std::int64_t given = 0;
   std::int64_t lost = 0;
+  std::int64_t not_received = 0;
   std::vector<double> milliseconds;
 
   void log_summary(std::int64_t broken) const {
     std::string text = fmt::format("tracked {} frames, lost in {}", milliseconds.size(), lost);
     if (broken > 0) text += fmt::format(", {} broken and left out", broken);
+    if (not_received > 0) text += fmt::format(", {} never arrived from the camera", not_received);
     if (!milliseconds.empty()) {
       text += fmt::format(", median {:.1f} ms, 95% {:.1f} ms", quantile(milliseconds, 0.5),
                           quantile(milliseconds, 0.95));
@@ -92,7 +94,7 @@ void track_first(TrackingJob& job, const TrackOptions& options, Outputs& outputs
   if (!frame) throw ConfigError(job.input + " has no frame after --start");
   TrackResult given;
   given.camera_from_object = given.best_camera_from_object =
-      start_tracker(*job.tracker, options.tracking, job.source->ground_truth(), frame->index);
+      start_tracker(*job.tracker, options.tracking, job.source->ground_truth(), *frame);
   given.quality = 1;
   given.status = TrackStatus::tracking;
   outputs.write(*frame, given_row(frame->index, given.camera_from_object), given);
@@ -108,6 +110,7 @@ void track_rest(TrackingJob& job, const TrackOptions& options, Outputs& outputs,
     const TimedResult timed = track_timed(*job.tracker, *frame);
     outputs.write(*frame, estimated_row(frame->index, timed), timed.result);
     tally.milliseconds.push_back(timed.milliseconds);
+    tally.not_received += frame->lost_before;
     if (timed.result.status == TrackStatus::lost) ++tally.lost;
     if (progress) {
       progress->advance(1, fmt::format("quality {:.2f}, {}", timed.result.quality,
@@ -155,6 +158,7 @@ Command add_track_command(CLI::App& tool) {
          "Write the edges of each frame, of the rendered object, and those in both, as PNGs")
       ->type_name("DIR");
   add_simulation_options(*app, options->simulation);
+  add_device_options(*app, options->tracking.device);
   return {app, [options] { return track(*options); }};
 }
 

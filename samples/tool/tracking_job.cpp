@@ -6,12 +6,14 @@
 
 #include <algorithm>
 #include <chrono>
+#include <utility>
 
 #include "anneal6d/framework/error.h"
 #include "anneal6d/framework/log.h"
 #include "anneal6d/framework/mesh_file.h"
 #include "anneal6d/framework/sequence_folder.h"
 #include "plugins.h"
+#include "progress.h"
 
 namespace anneal6d {
 
@@ -70,8 +72,10 @@ TrackingJob open_tracking_job(const std::string& input, const TrackingOptions& o
     job.expected_frames = options.frames;
   }
 
+  check_device_options(input, options.device);
   FrameSourceSetup source;
   source.input = input;
+  source.settings = options.device;
   source.make_renderer = textured_renderers();
   if (!options.camera.empty()) source.camera = load_camera(options.camera);
   if (is_simulation(input)) {  // nothing can be simulated before the model is there
@@ -89,18 +93,24 @@ TrackingJob open_tracking_job(const std::string& input, const TrackingOptions& o
   }
   job.camera = *camera;
   if (!job.mesh) job.mesh = load_model(model_path(input, options, folder), options.model_unit);
-  job.tracker = make_plugin(
-      all_trackers(options.plugin), "tracker", options.tracker,
-      TrackerSetup{job.mesh, job.camera, job.symmetry, options.settings, all_scorers()});
+  std::optional<Progress> preparing;
+  std::int64_t percent = 0;
+  TrackerSetup setup{job.mesh, job.camera, job.symmetry, options.settings, all_scorers(), {}};
+  setup.progress = [&](double share) {
+    if (!preparing) preparing.emplace("preparing the model, percent", 100);
+    const auto now = static_cast<std::int64_t>(100 * share);
+    if (now > percent) preparing->advance(now - std::exchange(percent, now));
+  };
+  job.tracker = make_plugin(all_trackers(options.plugin), "tracker", options.tracker, setup);
   return job;
 }
 
 Pose start_tracker(RigidObjectTracker& tracker, const TrackingOptions& options,
-                   const std::optional<Pose>& truth, std::int64_t frame) {
+                   const std::optional<Pose>& truth, const Frame& frame) {
   if (!options.init.empty()) {
     try {
       const Pose pose = parse_pose(options.init);
-      tracker.reset(pose);
+      tracker.reset(pose, frame);
       return pose;
     } catch (const ConfigError& error) {
       throw ConfigError(std::string("--init: ") + error.what());
@@ -108,17 +118,17 @@ Pose start_tracker(RigidObjectTracker& tracker, const TrackingOptions& options,
   }
   if (!truth) {
     throw ConfigError(
-        fmt::format("the pose of the object in frame {} is not known; give it with --init", frame));
+        fmt::format("the pose of the object in frame {} is not known; give it with --init", frame.index));
   }
   reset_to_truth(tracker, *truth, frame);
   return *truth;
 }
 
-void reset_to_truth(RigidObjectTracker& tracker, const Pose& truth, std::int64_t frame) {
+void reset_to_truth(RigidObjectTracker& tracker, const Pose& truth, const Frame& frame) {
   try {
-    tracker.reset(truth);
+    tracker.reset(truth, frame);
   } catch (const ConfigError& error) {
-    throw Error(fmt::format("ground truth of frame {}: {}", frame, error.what()));
+    throw Error(fmt::format("ground truth of frame {}: {}", frame.index, error.what()));
   }
 }
 

@@ -41,13 +41,13 @@ std::shared_ptr<const TriangleMesh> load_model(const std::filesystem::path& path
 /// How many of `available` frames --start, --stride and --frames choose.
 std::int64_t chosen_frames(std::int64_t available, const TrackingOptions& options);
 
-/// Starts the tracker. The pose is `--init`, if given, else `truth`, which may be unknown. Throws
+/// Starts the tracker in `frame`. The pose is `--init`, if given, else `truth`, which may be unknown. Throws
 /// ConfigError for a bad `--init`, Error for a missing or bad truth.
 Pose start_tracker(RigidObjectTracker& tracker, const TrackingOptions& options,
-                   const std::optional<Pose>& truth, std::int64_t frame);
+                   const std::optional<Pose>& truth, const Frame& frame);
 
 /// Throws Error: the pose is not one that a tracker can start from.
-void reset_to_truth(RigidObjectTracker& tracker, const Pose& truth, std::int64_t frame);
+void reset_to_truth(RigidObjectTracker& tracker, const Pose& truth, const Frame& frame);
 
 /// Milliseconds and result of `tracker.track(frame)`.
 struct TimedResult {

@@ -7,6 +7,7 @@
 #include <fstream>
 #include <opencv2/imgcodecs.hpp>
 
+#include "anneal6d/capture/dc1394.h"
 #include "capture_test_support.h"
 #include "flat_renderer.h"
 
@@ -31,7 +32,7 @@ std::unique_ptr<FrameSource> open(const std::string& input) {
 TEST(FrameSourcePlugins, HaveTheRowsThatTheToolPromises) {
   std::vector<std::string> names;
   for (const auto& row : frame_source_plugins()) names.push_back(row.name);
-  EXPECT_EQ(names, (std::vector<std::string>{"sequence", "video", "camera", "simulate"}));
+  EXPECT_EQ(names, (std::vector<std::string>{"sequence", "video", "camera", "dc1394", "simulate"}));
 }
 
 TEST(OpenFrameSource, TakesAFolderForASequence) {
@@ -82,14 +83,11 @@ TEST(OpenFrameSource, RefusesWhatNamesNoCamera) {
   EXPECT_THROW(open("camera:-1"), ConfigError);
 }
 
-TEST(OpenFrameSource, SaysThatTheDc1394ModuleIsNotInThisBuildIfNoRowHasIt) {
-  EXPECT_TRUE(
-      contains(message_of<BackendUnavailable>([] { open("dc1394:"); }), "no dc1394 module"));
-  FrameSourceTable table = frame_source_plugins();
-  table.push_back({"dc1394", "", [] { return std::string("no FireWire"); }, {}});
+TEST(OpenFrameSource, SaysWhyAFireWireCameraCantBeOpened) {
   const std::string message =
-      message_of<BackendUnavailable>([&] { open_frame_source(table, setup_for("dc1394:0123")); });
-  EXPECT_TRUE(contains(message, "no FireWire")) << message;
+      message_of<BackendUnavailable>([] { open("dc1394:fedcba9876543210"); });
+  const std::string reason = why_dc1394_is_unavailable();
+  EXPECT_TRUE(contains(message, reason.empty() ? "fedcba9876543210" : reason)) << message;
 }
 
 TEST(OpenFrameSource, ListsWhatExistsForAnUnknownName) {

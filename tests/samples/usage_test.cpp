@@ -8,7 +8,7 @@ namespace {
 class Usage : public ToolTest {};
 
 TEST_F(Usage, HelpAndVersionOfEachCommandGoToStandardOutput) {
-  for (const char* command : {"", "track ", "evaluate ", "simulate ", "list "}) {
+  for (const char* command : {"", "track ", "evaluate ", "simulate ", "record ", "list "}) {
     const ProgramRun help = tool(std::string(command) + "--help");
     EXPECT_EQ(help.status, 0) << command << help.err;
     EXPECT_NE(help.out.find("--version"), std::string::npos) << command;
@@ -36,6 +36,8 @@ TEST_F(Usage, WrongUsageIsStatusTwoWithAMessage) {
   expect_refused("track", 2, {"INPUT"});
   expect_refused("evaluate", 2, {"SEQUENCE"});
   expect_refused("simulate out", 2, {"--model"});
+  expect_refused("record camera:0", 2, {"OUT"});
+  expect_refused("track " + sequence_argument_ + " --gain 300", 2, {"--gain", "dc1394:"});
   expect_refused("track " + sequence_argument_ + " --particels 5", 2, {"--particels"});
   expect_refused("track " + sequence_argument_ + " --stride 0", 2, {"--stride"});
   expect_refused("track " + sequence_argument_ + " --frames many", 2, {"--frames"});
@@ -72,7 +74,8 @@ TEST_F(Usage, ListShowsPluginsAndCameras) {
   const ProgramRun run = tool("list");
   EXPECT_EQ(run.status, 0) << run.err;
   for (const char* word :
-       {"trackers", "universal", "scorers", "cpu", "reference", "frame sources", "cameras"}) {
+       {"trackers", "universal", "scorers", "cpu", "reference", "frame sources", "cameras",
+        "dc1394", "FireWire cameras"}) {
     EXPECT_NE(run.out.find(word), std::string::npos) << word;
   }
 }

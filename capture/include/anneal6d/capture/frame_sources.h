@@ -25,7 +25,7 @@ struct FrameSourceSetup {
 using FrameSourcePlugin = Plugin<FrameSource, FrameSourceSetup>;
 using FrameSourceTable = PluginTable<FrameSource, FrameSourceSetup>;
 
-/// The sources of this module: sequence, video, camera, simulate.
+/// The sources of this module: sequence, video, camera, dc1394, simulate.
 FrameSourceTable frame_source_plugins();
 
 /// Opens the source that `setup.input` means: a folder is a sequence, a file a video, and "name:"

@@ -7,6 +7,7 @@
 #include <functional>
 #include <string>
 
+#include "anneal6d/capture/frame_set_source.h"
 #include "anneal6d/framework/frame_source.h"
 #include "anneal6d/framework/settings.h"
 #include "anneal6d/framework/triangle_mesh.h"
@@ -23,6 +24,8 @@ struct SequenceWriterOptions {
   bool force = false;
   /// Called after each frame with the number written so far; may be empty.
   std::function<void(std::int64_t)> progress;
+  /// Recordings: asked after each frame; true ends the recording and keeps it. May be empty.
+  std::function<bool(std::int64_t)> stop;
 };
 
 /// Writes what `source` still has as a sequence folder: frame_0000.png..., camera.yml, model.obj
@@ -35,5 +38,24 @@ struct SequenceWriterOptions {
 std::int64_t write_sequence(FrameSource& source, const TriangleMesh& mesh,
                             const std::filesystem::path& folder,
                             const SequenceWriterOptions& options = {});
+
+/// What a recording came to.
+struct Recording {
+  std::int64_t frames = 0;
+  std::int64_t lost = 0;  ///< that the camera took in between, but nobody received
+};
+
+/// Records from a camera (or any other source) until `options.stop` says so or the stream ends, as
+/// a sequence folder that plays the same images again: as `write_sequence`, but the model may be
+/// null and the source need not be calibrated. If the camera fails, what was recorded before is
+/// kept and its CaptureError thrown.
+Recording record_sequence(FrameSource& source, const TriangleMesh* mesh,
+                          const std::filesystem::path& folder,
+                          const SequenceWriterOptions& options = {});
+
+/// The same of several cameras: sequence folders camera_0, camera_1, ... in `folder`, in which
+/// images of the same number belong together.
+Recording record_sequences(FrameSetSource& source, const std::filesystem::path& folder,
+                           const SequenceWriterOptions& options = {});
 
 }  // namespace anneal6d
