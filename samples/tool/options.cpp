@@ -17,8 +17,8 @@ void add_tracker_settings(CLI::App& command, Settings& settings) {
   };
   add("scorer", "NAME", "What compares poses with the image; see anneal6d list");
   add("mode", "default|thesis", "thesis: Algorithms 1 to 5 as written there");
-  add("particles", "N", "Particles a layer");
-  add("layers", "N", "Annealing layers a frame");
+  add("particles", "N", "Particles a layer, where the object must be searched");
+  add("layers", "N", "Annealing layers of a search");
   add("sigma-mm", "MM", "Standard deviation of the motion from frame to frame, along each axis");
   add("sigma-deg", "DEGREES", "The same of the rotation, about each axis");
   add("edges", "sobel|prewitt|canny", "Edge operator");
@@ -34,6 +34,10 @@ void add_tracker_settings(CLI::App& command, Settings& settings) {
   add("rating-c2", "C", "Second weight of the normalized rating");
   add("rating-c3", "C", "Third weight of the normalized rating");
   add("textured", "on|off", "Use the model's texture");
+  add("annealing", "thesis|geometric", "How the thesis mode narrows its noise");
+  add("annealing-ratio", "RATIO", "From layer to layer, for the geometric rule");
+  add("drift", "on|off", "Let the thesis mode start at the last motion");
+  add("view-cache", "FOLDER|off", "Where models' views are kept from run to run");
   add("threads", "N", "CPU threads; the poses do not depend on it");
 }
 

@@ -117,8 +117,8 @@ Pose start_tracker(RigidObjectTracker& tracker, const TrackingOptions& options,
     }
   }
   if (!truth) {
-    throw ConfigError(
-        fmt::format("the pose of the object in frame {} is not known; give it with --init", frame.index));
+    throw ConfigError(fmt::format(
+        "the pose of the object in frame {} is not known; give it with --init", frame.index));
   }
   reset_to_truth(tracker, *truth, frame);
   return *truth;

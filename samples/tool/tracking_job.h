@@ -41,8 +41,8 @@ std::shared_ptr<const TriangleMesh> load_model(const std::filesystem::path& path
 /// How many of `available` frames --start, --stride and --frames choose.
 std::int64_t chosen_frames(std::int64_t available, const TrackingOptions& options);
 
-/// Starts the tracker in `frame`. The pose is `--init`, if given, else `truth`, which may be unknown. Throws
-/// ConfigError for a bad `--init`, Error for a missing or bad truth.
+/// Starts the tracker in `frame`. The pose is `--init`, if given, else `truth`, which may be
+/// unknown. Throws ConfigError for a bad `--init`, Error for a missing or bad truth.
 Pose start_tracker(RigidObjectTracker& tracker, const TrackingOptions& options,
                    const std::optional<Pose>& truth, const Frame& frame);
 

@@ -12,10 +12,16 @@ TEST(Annealing, StartsAtFullNoise) {
   EXPECT_EQ(annealing_factor(AnnealingRule::geometric, 0, 0.9, 0.5), 1.0);
 }
 
-TEST(Annealing, ScalesTheVarianceByWhatTheScoreLeavesInThesisMode) {
-  EXPECT_DOUBLE_EQ(annealing_factor(AnnealingRule::thesis, 1, 0.75, 1.0), 0.5);
+TEST(Annealing, ScalesTheAmplitudeByWhatTheRatingLeavesInThesisMode) {
+  EXPECT_DOUBLE_EQ(annealing_factor(AnnealingRule::thesis, 1, 0.75, 1.0), 0.25);
   EXPECT_DOUBLE_EQ(annealing_factor(AnnealingRule::thesis, 4, 0.0, 1.0), 1.0);
   EXPECT_DOUBLE_EQ(annealing_factor(AnnealingRule::thesis, 2, 1.0, 1.0), 0.0);
+}
+
+TEST(Annealing, NarrowsAsTheRatingsOfAFrameRise) {
+  EXPECT_NEAR(annealing_factor(AnnealingRule::thesis, 1, 0.12, 1.0), 0.88, 1e-12);
+  EXPECT_NEAR(annealing_factor(AnnealingRule::thesis, 2, 0.34, 1.0), 0.66, 1e-12);
+  EXPECT_NEAR(annealing_factor(AnnealingRule::thesis, 3, 0.57, 1.0), 0.43, 1e-12);
 }
 
 TEST(Annealing, TakesScoresOutsideTheirRangeAsItsEnds) {

@@ -39,13 +39,17 @@ class FakeTracker final : public RigidObjectTracker {
 
   std::string hooks;
   Pose start;
-  cv::Mat image;
+  cv::Mat image, shown;
   Judgement judgement{0.75, TrackStatus::tracking};
 
  protected:
   void on_reset(const Pose& camera_from_object) override {
     hooks += "reset ";
     start = camera_from_object;
+  }
+  void on_shown(const cv::Mat& undistorted) override {
+    hooks += "shown ";
+    shown = undistorted;
   }
   void preprocess(const cv::Mat& undistorted) override {
     hooks += "preprocess ";
@@ -130,6 +134,38 @@ TEST(RigidObjectTracking, RemovesTheDistortionBeforePreprocessing) {
   ASSERT_EQ(tracker.image.size(), image.size());
   EXPECT_GT(cv::countNonZero(tracker.image != image), 0);
   EXPECT_EQ(cv::countNonZero(tracker.image != Undistorter(distorted)(image)), 0);
+}
+
+TEST(RigidObjectTracking, ShowsTheFrameOfTheStartWithoutDistortionAfterResetting) {
+  CameraModel distorted = small_camera();
+  distorted.distortion[0] = -0.5;
+  FakeTracker tracker(distorted);
+  cv::Mat image(48, 64, CV_8UC1, cv::Scalar(0));
+  image.colRange(0, 10).setTo(255);
+  tracker.reset(at_depth(600), frame_of(image));
+  EXPECT_EQ(tracker.hooks, "reset shown ");
+  EXPECT_EQ(tracker.start.translation_mm.z(), 600);
+  ASSERT_EQ(tracker.shown.size(), image.size());
+  EXPECT_GT(cv::countNonZero(tracker.shown != image), 0);
+  EXPECT_EQ(cv::countNonZero(tracker.shown != Undistorter(distorted)(image)), 0);
+  tracker.track(grey_frame());
+  EXPECT_EQ(tracker.hooks, "reset shown preprocess estimate judge(500) ");
+}
+
+TEST(RigidObjectTracking, RefusesAStartWithAFrameThatDoesNotFitBeforeResettingAnything) {
+  FakeTracker tracker;
+  expect_refused([&] { tracker.reset(at_depth(600), frame_of(cv::Mat(64, 48, CV_8UC1))); },
+                 "frame 12 is 48x64, the calibration is for 64x48");
+  expect_refused([&] { tracker.reset(at_depth(600), frame_of(cv::Mat(48, 64, CV_16UC1))); },
+                 "frame 12 is not an 8-bit image");
+  EXPECT_EQ(tracker.hooks, "");
+  expect_refused([&] { tracker.track(grey_frame()); }, "call reset() first");
+}
+
+TEST(RigidObjectTracking, ShowsNothingIfTheStartIsRefused) {
+  FakeTracker tracker;
+  expect_refused([&] { tracker.reset(at_depth(-600), grey_frame()); }, "behind the camera");
+  EXPECT_EQ(tracker.hooks, "");
 }
 
 TEST(RigidObjectTracking, GivesAnUndistortedCamerasFramesAsTheyAre) {

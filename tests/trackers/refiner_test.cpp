@@ -14,12 +14,6 @@ using test::beside;
 using test::center_distance_mm;
 using test::SharedMesh;
 
-Refiner::Result refine(Refiner& refiner, const Pose& start) {
-  Twist sigma;
-  sigma << Eigen::Vector3d::Constant(2 * test::kDegree), Eigen::Vector3d::Constant(5);
-  return refiner.refine(start, 8, sigma);
-}
-
 CameraModel camera() { return test::small_camera().scaled(2); }
 
 Pose corner_view() {
@@ -28,33 +22,54 @@ Pose corner_view() {
           {5, -3, 320}};
 }
 
+/// Views of a mesh, drawn once in a test program.
+struct Object {
+  explicit Object(SharedMesh of, bool textured = false)
+      : mesh(std::move(of)),
+        model(mesh, textured),
+        views(model, {.threshold = 40}, Shading{}, 0, {}) {}
+
+  SharedMesh mesh;
+  RasterModel model;
+  ViewModel views;
+};
+
+const Object& box() {
+  static const Object object(test::make_box(90, 60, 75));
+  return object;
+}
+
+cv::Rect whole(const cv::Mat& image) { return {0, 0, image.cols, image.rows}; }
+
+/// Without colours, and expecting what it starts from.
+Refiner::Result refine(Refiner& refiner, const Pose& start, int channels = 1) {
+  return refiner.refine(start, start, 8, Appearance(channels));
+}
+
 /// Refines from beside the truth and returns what is left to it.
 struct Left {
   double mm, deg, support;
 };
-Left left_after_refining(const SharedMesh& mesh, const cv::Mat& image, const Pose& truth,
-                         const Eigen::Vector3d& turn_deg, const Eigen::Vector3d& shift_mm,
-                         bool textured = false) {
-  const RasterModel model(mesh, textured);
-  Refiner refiner(model, camera());
-  const Pose start = beside(*mesh, truth, turn_deg, shift_mm);
-  refiner.set_image(image, start);
-  const auto result = refine(refiner, start);
-  return {center_distance_mm(*mesh, result.camera_from_object, truth),
+Left left_after_refining(const Object& object, const cv::Mat& image, const Pose& truth,
+                         const Eigen::Vector3d& turn_deg, const Eigen::Vector3d& shift_mm) {
+  Refiner refiner(object.views, camera());
+  refiner.set_image(image, whole(image));
+  const auto result =
+      refine(refiner, beside(*object.mesh, truth, turn_deg, shift_mm), image.channels());
+  return {center_distance_mm(*object.mesh, result.camera_from_object, truth),
           angle_deg(result.camera_from_object, truth), result.support};
 }
 
 class RefiningABox : public testing::TestWithParam<int> {};  // the background's grey level
 
 TEST_P(RefiningABox, FindsBackToTheTruth) {
-  const auto box = test::make_box(90, 60, 75);
   const Pose truth = corner_view();
-  const cv::Mat image = test::photograph(RasterModel(box, false), camera(), truth, GetParam(), 1.0);
+  const cv::Mat image = test::photograph(box().model, camera(), truth, GetParam(), 1.0);
   for (std::uint32_t i = 0; i < 8; ++i) {
     const auto a = random_normals({.seed = 31, .particle = i}, 0);
     const auto b = random_normals({.seed = 31, .particle = i}, 1);
     const auto c = random_normals({.seed = 31, .particle = i}, 2);
-    const Left left = left_after_refining(box, image, truth, {0.7 * a[0], 0.7 * a[1], 0.7 * b[0]},
+    const Left left = left_after_refining(box(), image, truth, {0.7 * a[0], 0.7 * a[1], 0.7 * b[0]},
                                           {0.7 * b[1], 0.7 * c[0], 2.5 * c[1]});
     EXPECT_LT(left.mm, 0.1) << "start " << i;
     EXPECT_LT(left.deg, 0.1) << "start " << i;
@@ -67,21 +82,19 @@ INSTANTIATE_TEST_SUITE_P(Background, RefiningABox, testing::Values(20, 120),
                          testing::PrintToStringParamName());
 
 TEST(Refining, StaysAtTheTruth) {
-  const auto box = test::make_box(90, 60, 75);
   const Pose truth = corner_view();
-  const cv::Mat image = test::photograph(RasterModel(box, false), camera(), truth, 20);
-  const Left left = left_after_refining(box, image, truth, {0, 0, 0}, {0, 0, 0});
+  const cv::Mat image = test::photograph(box().model, camera(), truth, 20);
+  const Left left = left_after_refining(box(), image, truth, {0, 0, 0}, {0, 0, 0});
   EXPECT_LT(left.mm, 0.1);
   EXPECT_LT(left.deg, 0.1);
 }
 
 TEST(Refining, TakesColourImages) {
-  const auto box = test::make_box(90, 60, 75);
   const Pose truth = corner_view();
   cv::Mat colour;
-  cv::cvtColor(test::photograph(RasterModel(box, false), camera(), truth, 20), colour,
+  cv::cvtColor(test::photograph(box().model, camera(), truth, 20), colour,
                cv::COLOR_GRAY2BGR);
-  const Left left = left_after_refining(box, colour, truth, {0.5, -0.5, 0.5}, {0.5, 0.5, 2});
+  const Left left = left_after_refining(box(), colour, truth, {0.5, -0.5, 0.5}, {0.5, 0.5, 2});
   EXPECT_LT(left.mm, 0.1);
   EXPECT_LT(left.deg, 0.1);
 }
@@ -94,7 +107,7 @@ TEST(Refining, UsesTheTextureWhereTheShapeSaysNothing) {
       patches.at<cv::Vec3b>(row, column) = cv::Vec3b::all((row / 16 + column / 16) % 2 ? 240 : 70);
     }
   }
-  const auto sphere = test::make_grid(
+  const Object sphere(test::make_grid(
       48, 2 * EIGEN_PI, 24, -EIGEN_PI / 2, EIGEN_PI / 2,
       [](double u, double v) {
         MeshVertex vertex;
@@ -104,40 +117,37 @@ TEST(Refining, UsesTheTextureWhereTheShapeSaysNothing) {
         vertex.position_mm = 50 * vertex.normal;
         return vertex;
       },
-      patches);
+      patches),
+      true);
   const Pose truth{rotation_from_axis_angle({1, 0.3, 0}, 1.2), {0, 0, 320}};
-  const cv::Mat image = test::photograph(RasterModel(sphere, true), camera(), truth, 20);
-  const Left left = left_after_refining(sphere, image, truth, {1, 1, -1}, {0.5, 0.5, 1}, true);
+  const cv::Mat image = test::photograph(sphere.model, camera(), truth, 20);
+  const Left left = left_after_refining(sphere, image, truth, {1, 1, -1}, {0.5, 0.5, 1});
   EXPECT_LT(left.deg, 0.5);
   EXPECT_LT(left.mm, 1.0);
 }
 
 TEST(Refining, ReportsNoSupportWhereThereIsNoObject) {
-  const auto box = test::make_box(90, 60, 75);
   const cv::Mat empty(camera().height_px, camera().width_px, CV_8UC1, cv::Scalar(90));
-  EXPECT_LT(left_after_refining(box, empty, corner_view(), {0, 0, 0}, {0, 0, 0}).support, 0.1);
+  EXPECT_LT(left_after_refining(box(), empty, corner_view(), {0, 0, 0}, {0, 0, 0}).support, 0.1);
 }
 
 TEST(Refining, KeepsThePoseWhereThereIsNothingToSee) {
-  const auto box = test::make_box(90, 60, 75);
-  const RasterModel model(box, false);
-  Refiner refiner(model, camera());
+  Refiner refiner(box().views, camera());
   const cv::Mat empty(camera().height_px, camera().width_px, CV_8UC1, cv::Scalar(90));
   for (const Pose& start :
        {corner_view(), Pose{corner_view().rotation, {0, 0, -300}},
         Pose{corner_view().rotation, {5000, 0, 300}}, Pose{corner_view().rotation, {0, 0, 20}}}) {
-    refiner.set_image(empty, start);
+    refiner.set_image(empty, whole(empty));
     const auto result = refine(refiner, start);
     EXPECT_TRUE(result.camera_from_object.is_finite());
-    EXPECT_LT(center_distance_mm(*box, result.camera_from_object, start), 1e-6);
+    EXPECT_LT(center_distance_mm(*box().mesh, result.camera_from_object, start), 1e-6);
     EXPECT_LT(angle_deg(result.camera_from_object, start), 1e-6);
   }
 }
 
 TEST(Refining, StaysFiniteOnNoise) {
-  const auto torus = test::make_torus(50, 20);
-  const RasterModel model(torus, false);
-  Refiner refiner(model, camera());
+  const Object torus(test::make_torus(50, 20));
+  Refiner refiner(torus.views, camera());
   cv::Mat noise(camera().height_px, camera().width_px, CV_8UC1);
   cv::RNG random(2);
   random.fill(noise, cv::RNG::UNIFORM, 0, 256);
@@ -147,11 +157,59 @@ TEST(Refining, StaysFiniteOnNoise) {
         test::random_rotation(key),
         {test::random_between(key, 0, -100, 100), test::random_between(key, 1, -80, 80),
          test::random_between(key, 2, 60, 500)}};
-    refiner.set_image(noise, start);
+    refiner.set_image(noise, whole(noise));
     const auto result = refine(refiner, start);
     EXPECT_TRUE(result.camera_from_object.is_finite()) << "start " << i;
     EXPECT_NEAR(result.camera_from_object.rotation.norm(), 1, 1e-9) << "start " << i;
   }
+}
+
+TEST(Refining, LooksAtItsWindowOnly) {
+  const Pose truth = corner_view();
+  const cv::Mat image = test::photograph(box().model, camera(), truth, 20);
+  Refiner refiner(box().views, camera());
+  const Pose start = beside(*box().mesh, truth, {0.5, -0.5, 0.5}, {0.5, 0.5, 2});
+  for (const cv::Rect& elsewhere : {cv::Rect(0, 0, 40, 40), cv::Rect(-90, -90, 50, 50),
+                                    cv::Rect(5000, 0, 100, 100), cv::Rect()}) {
+    refiner.set_image(image, elsewhere);
+    const auto result = refine(refiner, start);
+    EXPECT_EQ(result.support, 0);
+    EXPECT_EQ(result.camera_from_object.translation_mm, start.translation_mm);
+  }
+  refiner.set_image(image, cv::Rect(-20, -20, image.cols, image.rows + 40));
+  EXPECT_LT(center_distance_mm(*box().mesh, refine(refiner, start).camera_from_object, truth), 0.15);
+}
+
+TEST(Refining, TakesWhatTheEdgesLeaveOpenFromTheExpectedPose) {
+  // A bowl looks the same however it is turned about its axis.
+  const Object bowl(test::make_bowl(50));
+  const Pose truth = test::pose_with_center(
+      *bowl.mesh, rotation_from_axis_angle(Eigen::Vector3d::UnitX(), 2.4), {0, 0, 320});
+  const cv::Mat image = test::photograph(bowl.model, camera(), truth, 20);
+  Refiner refiner(bowl.views, camera());
+  refiner.set_image(image, whole(image));
+  const Eigen::Quaterniond turn = rotation_from_axis_angle(Eigen::Vector3d::UnitZ(), 0.35);
+  const Pose expected{truth.rotation * turn, truth.translation_mm};
+  const auto result = refiner.refine(beside(*bowl.mesh, expected, {0.5, 0, 0}, {0.5, 0.5, 1}),
+                                     expected, 8, Appearance(1));
+  EXPECT_LT(angle_deg(result.camera_from_object, expected), 1.0);
+  EXPECT_LT(center_distance_mm(*bowl.mesh, result.camera_from_object, truth), 0.5);
+}
+
+TEST(Refining, LearnsTheColoursOnBothSidesOfTheSilhouette) {
+  const Pose truth = corner_view();
+  cv::Mat image = test::photograph(box().model, camera(), truth, 20);
+  Refiner refiner(box().views, camera());
+  refiner.set_image(image, whole(image));
+  Appearance appearance(1);
+  refiner.teach(truth, appearance);
+  ASSERT_TRUE(appearance.learned());
+  const std::uint8_t background = 20;
+  EXPECT_LT(appearance.log_odds(appearance.bin(&background)), -Appearance::kScale);
+  const Eigen::Vector2d middle = camera().project(truth * Eigen::Vector3d::Zero());
+  const std::uint8_t face = image.at<std::uint8_t>(static_cast<int>(middle.y()) + 20,
+                                                   static_cast<int>(middle.x()) + 20);
+  EXPECT_GE(appearance.log_odds(appearance.bin(&face)), 0);
 }
 
 }  // namespace

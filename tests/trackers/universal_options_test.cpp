@@ -2,6 +2,7 @@
 // Copyright (c) 2026 The Anneal6D authors
 #include <gtest/gtest.h>
 
+#include <filesystem>
 #include <limits>
 #include <string>
 
@@ -37,7 +38,10 @@ void expect_refused(const std::string& name, const std::string& value,
 TEST(UniversalOptions, AreTheDefaultsWithoutSettings) {
   const Options options = from({});
   EXPECT_EQ(options.mode, UniversalMode::standard);
-  EXPECT_EQ(options.scorer, "cpu");
+  EXPECT_EQ(options.scorer, "sparse");
+  EXPECT_EQ(options.annealing, AnnealingRule::thesis);
+  EXPECT_FALSE(options.drift);
+  EXPECT_EQ(options.view_cache, default_view_cache());
   EXPECT_EQ(options.particles, Options{}.particles);
   EXPECT_EQ(options.rating.rule, RatingRule::balanced);
   EXPECT_EQ(options.frame_edges.op, EdgeOperator::sobel);
@@ -49,8 +53,11 @@ TEST(UniversalOptions, AreTheDefaultsWithoutSettings) {
 TEST(UniversalOptions, AreTheThesissInThesisMode) {
   const Options options = from({{"mode", "thesis"}});
   EXPECT_EQ(options.mode, UniversalMode::thesis);
+  EXPECT_EQ(options.scorer, "cpu") << "exact";
   EXPECT_EQ(options.particles, 600);
   EXPECT_EQ(options.layers, 5);
+  EXPECT_EQ(options.annealing, AnnealingRule::thesis);
+  EXPECT_FALSE(options.drift);
   EXPECT_EQ(options.rating.rule, RatingRule::ratio);
   EXPECT_TRUE(options.frame_edges.threshold);
 }
@@ -60,6 +67,9 @@ TEST(UniversalOptions, TakeEverySetting) {
                                 {"scorer", "reference"},
                                 {"particles", "77"},
                                 {"layers", "3"},
+                                {"annealing", "geometric"},
+                                {"annealing-ratio", "0.7"},
+                                {"drift", "on"},
                                 {"sigma-mm", "2.5"},
                                 {"sigma-deg", "1.5"},
                                 {"edges", "prewitt"},
@@ -74,10 +84,14 @@ TEST(UniversalOptions, TakeEverySetting) {
                                 {"rating-c3", "3"},
                                 {"textured", "off"},
                                 {"seed", "9"},
-                                {"threads", "2"}});
+                                {"threads", "2"},
+                                {"view-cache", "kept/here"}});
   EXPECT_EQ(options.scorer, "reference");
   EXPECT_EQ(options.particles, 77);
   EXPECT_EQ(options.layers, 3);
+  EXPECT_EQ(options.annealing, AnnealingRule::geometric);
+  EXPECT_EQ(options.annealing_ratio, 0.7);
+  EXPECT_TRUE(options.drift);
   EXPECT_EQ(options.sigma_mm, 2.5);
   EXPECT_EQ(options.sigma_deg, 1.5);
   EXPECT_EQ(options.frame_edges.op, EdgeOperator::prewitt);
@@ -95,6 +109,11 @@ TEST(UniversalOptions, TakeEverySetting) {
   EXPECT_FALSE(options.textured);
   EXPECT_EQ(options.seed, 9U);
   EXPECT_EQ(options.threads, 2);
+  EXPECT_EQ(options.view_cache, std::filesystem::path("kept/here"));
+}
+
+TEST(UniversalOptions, KeepViewsNowhereIfTheCacheIsOff) {
+  EXPECT_TRUE(from({{"view-cache", "off"}}).view_cache.empty());
 }
 
 TEST(UniversalOptions, ChangeThePresetOfTheMode) {
@@ -132,6 +151,10 @@ TEST(UniversalOptions, NameTheSettingThatIsWrong) {
   expect_refused("particles", "many");
   expect_refused("layers", "0");
   expect_refused("layers", "101");
+  expect_refused("annealing", "linear");
+  expect_refused("annealing-ratio", "1.5");
+  expect_refused("annealing-ratio", "-0.1");
+  expect_refused("drift", "maybe");
   expect_refused("sigma-mm", "-1");
   expect_refused("sigma-mm", "nan");
   expect_refused("sigma-deg", "91");
@@ -163,6 +186,7 @@ TEST(UniversalOptions, NameTheFieldThatIsWrong) {
   };
   refused([](Options& o) { o.particles = 0; }, "particles");
   refused([](Options& o) { o.layers = -1; }, "layers");
+  refused([](Options& o) { o.annealing_ratio = 2; }, "annealing_ratio");
   refused([](Options& o) { o.sigma_mm = std::numeric_limits<double>::quiet_NaN(); }, "sigma_mm");
   refused([](Options& o) { o.sigma_deg = 1000; }, "sigma_deg");
   refused([](Options& o) { o.threads = -1; }, "threads");

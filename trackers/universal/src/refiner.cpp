@@ -13,6 +13,7 @@ namespace {
 constexpr std::size_t kCoarsePoints = 100;
 constexpr std::size_t kAllPoints = 240;
 constexpr int kRounds = 4;
+constexpr int kPolishingRounds = 2;
 constexpr int kStepsPerRound = 3;
 constexpr double kFinestReach_px = 2.5;
 constexpr double kHalfStrength = 4.0;  // slope at which an edge weighs half of a strong one
@@ -38,9 +39,9 @@ void Refiner::set_image(const cv::Mat& image, const cv::Rect& window) {
                    cv::BORDER_REPLICATE);
 }
 
-void Refiner::project(const Pose& camera_from_object, std::size_t most_points) {
+void Refiner::project(const Pose& camera_from_object, const ModelView& view,
+                      std::size_t most_points) {
   targets_.clear();
-  const ModelView& view = views_.seen_from(camera_from_object);
   const Eigen::Matrix3d rotation = camera_from_object.rotation.toRotationMatrix();
   const Eigen::Vector3d camera_mm = camera_from_object.inverse().translation_mm;
   const std::size_t count = std::min(most_points, view.contour.size());
@@ -175,7 +176,7 @@ Refiner::Result Refiner::refine(const Pose& start_camera_from_object,
   Pose pose = start_camera_from_object;
   double reach = reach_px;
   for (int round = 0; round < kRounds && !window_.empty(); ++round) {
-    project(pose, round + 2 < kRounds ? kCoarsePoints : kAllPoints);
+    project(pose, views_.seen_from(pose), round + 2 < kRounds ? kCoarsePoints : kAllPoints);
     if (targets_.size() < kFewestPoints) break;
     observe(std::clamp(static_cast<int>(std::ceil(reach)), 2, EdgeLine::kMaxReach_px), appearance);
     for (int i = 0; i < kStepsPerRound; ++i) step(pose, reach);
@@ -184,10 +185,24 @@ Refiner::Result Refiner::refine(const Pose& start_camera_from_object,
   return examine(pose, appearance);
 }
 
+Pose Refiner::polish(const Pose& refined_camera_from_object,
+                     const Pose& expected_camera_from_object, const ModelView& view,
+                     const Appearance& appearance) {
+  expected_center_ = to_center(expected_camera_from_object);
+  Pose pose = refined_camera_from_object;
+  for (int round = 0; round < kPolishingRounds && !window_.empty(); ++round) {
+    project(pose, view, view.contour.size());
+    if (targets_.size() < kFewestPoints) return refined_camera_from_object;
+    observe(static_cast<int>(std::ceil(kFinestReach_px)), appearance);
+    for (int i = 0; i < kStepsPerRound; ++i) step(pose, kFinestReach_px);
+  }
+  return pose;
+}
+
 Refiner::Result Refiner::examine(const Pose& camera_from_object, const Appearance& appearance) {
   Result result{camera_from_object, 0, 0};
   if (window_.empty()) return result;
-  project(camera_from_object, kAllPoints);
+  project(camera_from_object, views_.seen_from(camera_from_object), kAllPoints);
   if (targets_.size() < kFewestPoints) return result;
   double confirmed = 0;
   for (const Target& target : targets_) {
@@ -205,7 +220,7 @@ Refiner::Result Refiner::examine(const Pose& camera_from_object, const Appearanc
 
 void Refiner::teach(const Pose& camera_from_object, Appearance& appearance) {
   if (window_.empty()) return;
-  project(camera_from_object, kAllPoints);
+  project(camera_from_object, views_.seen_from(camera_from_object), kAllPoints);
   object_bins_.clear();
   beside_bins_.clear();
   const auto collect = [&](const Target& target, int from, int to,

@@ -38,6 +38,10 @@ class Refiner {
   Result refine(const Pose& start_camera_from_object, const Pose& expected_camera_from_object,
                 double reach_px, const Appearance& appearance);
 
+  /// Goes on from a refined pose with `view`, the contour exactly as at that pose.
+  Pose polish(const Pose& refined_camera_from_object, const Pose& expected_camera_from_object,
+              const ModelView& view, const Appearance& appearance);
+
   /// How well the image confirms a pose.
   Result examine(const Pose& camera_from_object, const Appearance& appearance);
 
@@ -59,7 +63,7 @@ class Refiner {
     int edge_count = 0;
   };
 
-  void project(const Pose& camera_from_object, std::size_t most_points);
+  void project(const Pose& camera_from_object, const ModelView& view, std::size_t most_points);
   void observe(int reach_px, const Appearance& appearance);
   /// One Gauss-Newton step on the observations.
   void step(Pose& camera_from_object, double reach_px) const;

@@ -15,6 +15,7 @@
 #include "pose_search.h"
 #include "refiner.h"
 #include "region_cue.h"
+#include "view_painter.h"
 #include "view_store.h"
 
 namespace anneal6d {
@@ -29,6 +30,7 @@ constexpr double kSupportRate = 0.1;  // of the newest frame in the usual suppor
 constexpr double kLearnFrom = 0.3;    // support from which colours are learned
 constexpr double kWindow_px = 30.0;   // around the object, and three deviations of its motion
 constexpr double kLeastReach_px = 6.0, kMostReach_px = 16.0;
+constexpr std::size_t kSmallModel = 4000;  // triangles, drawn in less than a millisecond
 constexpr double kLostQuality = 0.25;
 constexpr int kFramesUntilLost = 2;
 
@@ -59,12 +61,23 @@ struct Sight {
         region(*views, setup.camera),
         search(filter, refiner, effort, setup.mesh->radius_mm()) {
     filter.set_region_cue(region);
+    if (setup.mesh->triangles().size() <= kSmallModel) exact = std::make_unique<Exact>(setup);
   }
+
+  /// The contour of a small model can be had exactly, frame by frame.
+  struct Exact {
+    explicit Exact(const ScorerSetup& setup)
+        : model(setup.mesh, setup.textured),
+          painter(model, setup.edges, setup.shading, setup.camera) {}
+    RasterModel model;
+    ViewPainter painter;
+  };
 
   std::shared_ptr<const ViewModel> views;
   Refiner refiner;
   RegionCue region;
   PoseSearch search;
+  std::unique_ptr<Exact> exact;          ///< null for large models
   std::optional<Appearance> appearance;  ///< for as many channels as the frames have
 };
 
@@ -179,6 +192,11 @@ class UniversalTracker final : public RigidObjectTracker {
           sight_->search.run(wider, {appearance, weight}, random, camera().fx_px);
       if (found.support > best.support) best = found;
       wider.sigma *= 2.0;
+    }
+    if (sight_->exact) {
+      const ModelView view = sight_->exact->painter.paint_contour(best.camera_from_object);
+      best.camera_from_object =
+          sight_->refiner.polish(best.camera_from_object, guess, view, appearance);
     }
     support_ = best.support;
     usual_support_ += kSupportRate * (support_ - usual_support_);

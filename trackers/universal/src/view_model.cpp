@@ -19,7 +19,7 @@ namespace anneal6d {
 ViewModel::ViewModel(const RasterModel& model, const EdgeOptions& edges, const Shading& shading,
                      int threads, const std::function<void(double)>& progress)
     : center_mm_(model.mesh->center_mm().cast<double>()), views_(kViews) {
-  const ViewPainter prototype(model, edges, shading);
+  const ViewPainter prototype(model, edges, shading, view_camera());
   tbb::enumerable_thread_specific<ViewPainter> painters(prototype);
   tbb::task_arena arena(threads > 0 ? threads : tbb::task_arena::automatic);
   std::mutex reporting;

@@ -25,15 +25,6 @@ constexpr double kMostShift_px = 0.7;  // of an edge that stands alone
 constexpr float kCrowdedTrust = 0.5F;
 constexpr float kBlindTrust = 0.1F;
 
-CameraModel picture_camera() {
-  constexpr int kSize = 256;
-  CameraModel camera;
-  camera.width_px = camera.height_px = kSize;
-  camera.fx_px = camera.fy_px = ViewModel::kRadius_px * ViewModel::kDistance;
-  camera.cx_px = camera.cy_px = 0.5 * (kSize - 1);
-  return camera;
-}
-
 /// Reproducible on every platform, which std::shuffle is not.
 template <class Values>
 void shuffle(Values& values, std::uint32_t seed) {
@@ -43,10 +34,20 @@ void shuffle(Values& values, std::uint32_t seed) {
 
 }  // namespace
 
-ViewPainter::ViewPainter(const RasterModel& model, const EdgeOptions& edges, const Shading& shading)
+CameraModel view_camera() {
+  constexpr int kSize = 256;
+  CameraModel camera;
+  camera.width_px = camera.height_px = kSize;
+  camera.fx_px = camera.fy_px = ViewModel::kRadius_px * ViewModel::kDistance;
+  camera.cx_px = camera.cy_px = 0.5 * (kSize - 1);
+  return camera;
+}
+
+ViewPainter::ViewPainter(const RasterModel& model, const EdgeOptions& edges, const Shading& shading,
+                         const CameraModel& camera)
     : model_(model),
       edges_(edges),
-      camera_(picture_camera()),
+      camera_(camera),
       rasterizer_(model, camera_, shading),
       extractor_(*model.mesh) {}
 
@@ -66,7 +67,9 @@ ModelView ViewPainter::paint(const Eigen::Vector3d& direction, std::uint32_t see
   region_ = rasterizer_.draw(camera_from_object, 8);
   if (region_.empty()) return view;
   rasterizer_.take_images(grey_, depth_mm_);
-  sample_contour(camera_from_object, seed, view);
+  sample_contour(camera_from_object, view);
+  shuffle(view.contour, seed);
+  if (view.contour.size() > kMostContour) view.contour.resize(kMostContour);
   sample_edges(camera_from_object, seed, view);
   return view;
 }
@@ -78,13 +81,19 @@ float ViewPainter::depth_at(const Eigen::Vector2d& image_px) const {
   return depth_mm_.at<float>(y, x);
 }
 
-void ViewPainter::sample_contour(const Pose& camera_from_object, std::uint32_t seed,
-                                 ModelView& view) {
+ModelView ViewPainter::paint_contour(const Pose& camera_from_object) {
+  ModelView view;
+  region_ = rasterizer_.draw(camera_from_object, 8);
+  if (region_.empty()) return view;
+  rasterizer_.take_images(grey_, depth_mm_);
+  sample_contour(camera_from_object, view);
+  return view;
+}
+
+void ViewPainter::sample_contour(const Pose& camera_from_object, ModelView& view) {
   extractor_.extract({camera_from_object, camera_, region_, grey_, depth_mm_}, kSpacing_px,
                      !model_.textures.empty(), points_);
   cv::GaussianBlur(grey_, smooth_grey_, {}, kEdgeBlur_px, kEdgeBlur_px, cv::BORDER_REPLICATE);
-  shuffle(points_, seed);
-  if (points_.size() > kMostContour) points_.resize(kMostContour);
   for (const ContourPoint& point : points_) {
     view.contour.push_back(sample_of(point, camera_from_object));
   }

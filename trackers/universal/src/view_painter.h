@@ -11,18 +11,26 @@
 
 namespace anneal6d {
 
-/// Makes the views of a `ViewModel`, one at a time: draws the object, finds its contour and the
-/// edge pixels of the drawing, and says of each what tracking wants to know. For one thread; copies
-/// are independent. The model outlives it.
+/// The camera of a `ViewModel`'s pictures.
+CameraModel view_camera();
+
+/// Makes one view at a time: draws the object, finds its contour and the edge pixels of the drawing,
+/// and says of each what tracking wants to know. For one thread; copies are independent. The model
+/// outlives it.
 class ViewPainter {
  public:
-  ViewPainter(const RasterModel& model, const EdgeOptions& edges, const Shading& shading);
+  ViewPainter(const RasterModel& model, const EdgeOptions& edges, const Shading& shading,
+              const CameraModel& camera);
 
-  /// From `direction` (unit, object frame); `seed` decides the order of the points.
+  /// The view of a `ViewModel` from `direction` (unit, object frame), where `camera` was
+  /// `view_camera()`; `seed` decides the order of the points.
   ModelView paint(const Eigen::Vector3d& direction, std::uint32_t seed);
 
+  /// Just the contour, all of it, of the object at a pose.
+  ModelView paint_contour(const Pose& camera_from_object);
+
  private:
-  void sample_contour(const Pose& camera_from_object, std::uint32_t seed, ModelView& view);
+  void sample_contour(const Pose& camera_from_object, ModelView& view);
   ContourSample sample_of(const ContourPoint& point, const Pose& camera_from_object) const;
   void sample_edges(const Pose& camera_from_object, std::uint32_t seed, ModelView& view);
   /// Depth of the picture, millimetres, 0 outside the object.
