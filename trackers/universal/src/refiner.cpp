@@ -18,6 +18,7 @@ constexpr int kStepsPerRound = 3;
 constexpr double kFinestReach_px = 2.5;
 constexpr double kHalfStrength = 4.0;  // slope at which an edge weighs half of a strong one
 constexpr double kSupport_px = 2.0;
+constexpr double kFit_px = 0.5;
 constexpr std::size_t kFewestPoints = 8;
 constexpr double kNearest_mm = 1.0;
 constexpr double kFeigned = 0.005;
@@ -92,13 +93,14 @@ void Refiner::observe(int reach_px, const Appearance& appearance) {
   }
 }
 
-void Refiner::step(Pose& camera_from_object, double reach_px) const {
+void Refiner::step(Pose& camera_from_object, double reach_px) {
   const Eigen::Vector3d center = camera_from_object * views_.center_mm();
   const Eigen::Matrix3d rotation = camera_from_object.rotation.toRotationMatrix();
   const double cutoff_px = reach_px + 0.5;
 
   Matrix6 normal_matrix = Matrix6::Zero();
   Twist right_side = Twist::Zero();
+  double whole_weight = 0;
   Twist whole_motion = Twist::Constant(1e-12);  // of the points in the image, squared
   for (const Target& target : targets_) {
     if (target.edge_count == 0) continue;
@@ -129,6 +131,7 @@ void Refiner::step(Pose& camera_from_object, double reach_px) const {
     const double weight = target.trust * tukey * best->strength / (best->strength + kHalfStrength);
     normal_matrix.selfadjointView<Eigen::Lower>().rankUpdate(jacobian, weight);
     right_side += weight * residual_px * jacobian;
+    whole_weight += weight;
     const double fx = camera_.fx_px * inv_z, fy = camera_.fy_px * inv_z;
     for (const Eigen::Vector3d& axis : {Eigen::Vector3d(fx, 0, -fx * p.x() * inv_z),
                                         Eigen::Vector3d(0, fy, -fy * p.y() * inv_z)}) {
@@ -138,14 +141,14 @@ void Refiner::step(Pose& camera_from_object, double reach_px) const {
     }
   }
   const Pose here = to_center(camera_from_object);
-  const Twist twist = solve(here, normal_matrix, right_side, whole_motion);
+  const Twist twist = solve(here, normal_matrix, right_side, whole_motion, whole_weight);
   if (!twist.allFinite()) return;
   const Pose centered = moved(here, twist);
   camera_from_object = {centered.rotation, centered * -views_.center_mm()};
 }
 
 Twist Refiner::solve(const Pose& here, const Matrix6& normal_matrix, const Twist& right_side,
-                     const Twist& whole_motion) const {
+                     const Twist& whole_motion, double whole_weight) {
   // In units that move the points equally far, eigenvalues are shares of the points' motion that
   // edges can see. Errors of the contour's normals feign small ones.
   const Twist unit = whole_motion.cwiseSqrt().cwiseInverse();
@@ -161,6 +164,9 @@ Twist Refiner::solve(const Pose& here, const Matrix6& normal_matrix, const Twist
     const double share = std::max(0.0, shares.eigenvalues()[k]);
     along[k] = (share * share * away[k] + share * pull[k]) / (share * share + kFeigned * kFeigned) -
                away[k];
+  }
+  for (int k = 0; k < 2; ++k) {
+    weak_motions_[k] = unit.cwiseProduct(axes.col(k)) * std::sqrt(whole_weight);
   }
   return unit.cwiseProduct(axes * along);
 }
@@ -200,20 +206,24 @@ Pose Refiner::polish(const Pose& refined_camera_from_object,
 }
 
 Refiner::Result Refiner::examine(const Pose& camera_from_object, const Appearance& appearance) {
-  Result result{camera_from_object, 0, 0};
+  Result result{camera_from_object, 0, 0, 0};
   if (window_.empty()) return result;
   project(camera_from_object, views_.seen_from(camera_from_object), kAllPoints);
   if (targets_.size() < kFewestPoints) return result;
-  double confirmed = 0;
+  double confirmed = 0, fitting = 0;
   for (const Target& target : targets_) {
     EdgeLine line(picture(), target.image_px, target.normal, 4);
     if (target.silhouette) line.compare(appearance, target.inside_px, target.outside_px);
     line.require(target.polarity);
     const EdgeLine::Edge edge = line.strongest();
     const bool near = edge.strength > 0 && std::abs(edge.offset_px - target.shift_px) < kSupport_px;
-    if (near) confirmed += line.agreement();
+    if (!near) continue;
+    confirmed += line.agreement();
+    fitting +=
+        line.agreement() * std::exp(-0.5 * square((edge.offset_px - target.shift_px) / kFit_px));
   }
   result.points = static_cast<int>(targets_.size());
+  result.fit = fitting / static_cast<double>(targets_.size());
   result.support = confirmed / static_cast<double>(targets_.size());
   return result;
 }

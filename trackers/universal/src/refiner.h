@@ -30,6 +30,7 @@ class Refiner {
   struct Result {
     Pose camera_from_object;
     double support = 0;  ///< 0..1: share of the visible contour that the image confirms
+    double fit = 0;      ///< 0..1: the same, of edges that are where they should be to half a pixel
     int points = 0;      ///< visible contour points
   };
 
@@ -41,6 +42,11 @@ class Refiner {
   /// Goes on from a refined pose with `view`, the contour exactly as at that pose.
   Pose polish(const Pose& refined_camera_from_object, const Pose& expected_camera_from_object,
               const ModelView& view, const Appearance& appearance);
+
+  /// The two motions that the contour shows least, such as the turn of a cup or the tilt of a
+  /// plate, at the last refined pose: twists about the centre (see twist.h) that move the contour's
+  /// points by a pixel, root mean square.
+  const std::array<Twist, 2>& weak_motions() const { return weak_motions_; }
 
   /// How well the image confirms a pose.
   Result examine(const Pose& camera_from_object, const Appearance& appearance);
@@ -66,11 +72,11 @@ class Refiner {
   void project(const Pose& camera_from_object, const ModelView& view, std::size_t most_points);
   void observe(int reach_px, const Appearance& appearance);
   /// One Gauss-Newton step on the observations.
-  void step(Pose& camera_from_object, double reach_px) const;
+  void step(Pose& camera_from_object, double reach_px);
 
   /// The step from `here`, with what the edges cannot see left to the expected pose.
   Twist solve(const Pose& here, const Matrix6& normal_matrix, const Twist& right_side,
-              const Twist& whole_motion) const;
+              const Twist& whole_motion, double whole_weight);
 
   Pose to_center(const Pose& camera_from_object) const;
 
@@ -79,6 +85,7 @@ class Refiner {
   cv::Mat smooth_;  ///< the frame in `window_`, blurred
   cv::Rect window_;
   std::vector<Target> targets_;
+  std::array<Twist, 2> weak_motions_{Twist::Zero(), Twist::Zero()};
   std::vector<std::uint16_t> object_bins_, beside_bins_;
   Pose expected_center_;  ///< camera_from_center
 };

@@ -3,6 +3,7 @@
 #include "anneal6d/trackers/universal_tracker.h"
 
 #include <algorithm>
+#include <array>
 #include <cmath>
 #include <numbers>
 #include <opencv2/imgproc.hpp>
@@ -22,7 +23,10 @@ namespace anneal6d {
 namespace {
 
 constexpr double kDegree = std::numbers::pi / 180.0;
-constexpr double kSure = 0.92;        // of the usual support: there is no need to search
+constexpr double kSure = 0.92;     // of the usual support: there is no need to search
+constexpr double kFitting = 0.88;  // of the usual fit: there is no need to look at neighbours
+constexpr double kFitRise = 0.3, kFitFall = 0.03;  // of the newest frame in the usual fit
+constexpr double kNeighbour_px = 4.0, kNeighbourReach_px = 3.0;
 constexpr int kPasses = 3;            // of the search, each twice as wide as the one before
 constexpr double kRegionWeight = 20;  // of the colours beside the edges, as the rating's c
 constexpr double kFirstSupport = 0.8;
@@ -105,6 +109,7 @@ class UniversalTracker final : public RigidObjectTracker {
     frame_number_ = 0;
     bad_frames_ = 0;
     usual_support_ = kFirstSupport;
+    usual_fit_ = 0;
     if (sight_) sight_->appearance.reset();
   }
 
@@ -113,7 +118,9 @@ class UniversalTracker final : public RigidObjectTracker {
     look(undistorted, center_, kWindow_px);
     const Pose pose = filter_.to_object(center_);
     sight_->refiner.teach(pose, *sight_->appearance);
-    usual_support_ = sight_->refiner.examine(pose, *sight_->appearance).support;
+    const Refiner::Result shown = sight_->refiner.examine(pose, *sight_->appearance);
+    usual_support_ = shown.support;
+    usual_fit_ = shown.fit;
   }
 
   void preprocess(const cv::Mat& undistorted) override {
@@ -193,6 +200,8 @@ class UniversalTracker final : public RigidObjectTracker {
       if (found.support > best.support) best = found;
       wider.sigma *= 2.0;
     }
+    if (best.fit < kFitting * usual_fit_) best = best_of_neighbours(best, appearance);
+    usual_fit_ += (best.fit > usual_fit_ ? kFitRise : kFitFall) * (best.fit - usual_fit_);
     if (sight_->exact) {
       const ModelView view = sight_->exact->painter.paint_contour(best.camera_from_object);
       best.camera_from_object =
@@ -213,6 +222,23 @@ class UniversalTracker final : public RigidObjectTracker {
     if (support_ > kLearnFrom) {
       sight_->refiner.teach(result.camera_from_object, *sight_->appearance);
     }
+  }
+
+  /// The same or a better pose near it: edges side by side, such as the two of a cup's rim, make
+  /// false bottoms, and they lie along the motions that the contour shows least.
+  Refiner::Result best_of_neighbours(const Refiner::Result& refined, const Appearance& appearance) {
+    Refiner::Result best = refined;
+    const Pose center = filter_.to_center(refined.camera_from_object);
+    const std::array<Twist, 2> motions = sight_->refiner.weak_motions();
+    for (const Twist& motion : motions) {
+      for (const double way_px : {-kNeighbour_px, kNeighbour_px}) {
+        const Pose start = filter_.to_object(moved(center, way_px * motion));
+        const Refiner::Result other =
+            sight_->refiner.refine(start, start, kNeighbourReach_px, appearance);
+        if (other.fit > best.fit) best = other;
+      }
+    }
+    return best;
   }
 
   /// Shows the surroundings of a pose to the refiner.
@@ -299,8 +325,8 @@ class UniversalTracker final : public RigidObjectTracker {
   Twist last_motion_ = Twist::Zero();
   std::uint32_t frame_number_ = 0;
   int bad_frames_ = 0;
-  double support_ = 0;        ///< of the last estimate
-  double usual_support_ = 0;  ///< of estimates lately
+  double support_ = 0;                        ///< of the last estimate
+  double usual_support_ = 0, usual_fit_ = 0;  ///< of estimates lately
   cv::Mat image_;
   EdgeImage edges_, edges_around_;
   double chance_ = 0;  ///< share of edge pixels around the object

@@ -14,9 +14,9 @@ namespace anneal6d {
 /// The camera of a `ViewModel`'s pictures.
 CameraModel view_camera();
 
-/// Makes one view at a time: draws the object, finds its contour and the edge pixels of the drawing,
-/// and says of each what tracking wants to know. For one thread; copies are independent. The model
-/// outlives it.
+/// Makes one view at a time: draws the object, finds its contour and the edge pixels of the
+/// drawing, and says of each what tracking wants to know. For one thread; copies are independent.
+/// The model outlives it.
 class ViewPainter {
  public:
   ViewPainter(const RasterModel& model, const EdgeOptions& edges, const Shading& shading,
