@@ -10,6 +10,7 @@
 #include <ostream>
 
 #include "anneal6d/framework/error.h"
+#include "anneal6d/framework/rating.h"
 #include "scorer_cases.h"
 
 namespace anneal6d {
@@ -62,6 +63,20 @@ constexpr int border_pixels(int w, int h, int outward, int inward) {
   return (w + 2 * outward) * (h + 2 * outward) - (w - 2 * inward) * (h - 2 * inward);
 }
 
+/// The `sparse` scorer estimates counts from views of the object at another size, distance, and
+/// angle in the image: within 40 % for a plate, of which the frame's image confirms the right
+/// share. All others count.
+bool only_estimates(std::string_view scorer) { return scorer == "sparse"; }
+
+void expect_match(std::string_view scorer, const EdgeMatch& found, const EdgeMatch& expected) {
+  if (!only_estimates(scorer)) {
+    EXPECT_EQ(found, expected);
+    return;
+  }
+  EXPECT_NEAR(found.rendered, expected.rendered, 0.4 * expected.rendered);
+  EXPECT_NEAR(match_ratio(found), match_ratio(expected), 0.05);
+}
+
 class EveryScorer : public testing::TestWithParam<std::string> {
  protected:
   void SetUp() override {
@@ -106,7 +121,7 @@ TEST_P(EveryScorer, CountsTheEdgesOfAPlateByHand) {
   upper_half.binary.rowRange(0, 241).setTo(255);  // 211..240 are half of the plate's rows
   const auto scorer = make(setup, upper_half);
   const int border = border_pixels(100, 60, 1, 1);
-  EXPECT_EQ(score(*scorer, kPlateInTheMiddle), (EdgeMatch{border, border / 2}));
+  expect_match(GetParam(), score(*scorer, kPlateInTheMiddle), {border, border / 2});
 }
 
 TEST_P(EveryScorer, WidensTheEdgesOfThePlate) {
@@ -114,7 +129,7 @@ TEST_P(EveryScorer, WidensTheEdgesOfThePlate) {
   setup.edges.dilation_px = 3;
   const auto scorer = make(setup, test::uniform_edges(setup.camera, 255));
   const int border = border_pixels(100, 60, 4, 4);
-  EXPECT_EQ(score(*scorer, kPlateInTheMiddle), (EdgeMatch{border, border}));
+  expect_match(GetParam(), score(*scorer, kPlateInTheMiddle), {border, border});
 }
 
 TEST_P(EveryScorer, CountsInsideTheImageOnly) {
@@ -123,7 +138,7 @@ TEST_P(EveryScorer, CountsInsideTheImageOnly) {
   const ScorerSetup setup = plate_setup();
   const auto scorer = make(setup, test::uniform_edges(setup.camera, 255));
   const int half = (50 + 1) * (60 + 2) - (50 - 1) * (60 - 2);
-  EXPECT_EQ(score(*scorer, at(319.5, 0.5, 500.01)).rendered, half);
+  expect_match(GetParam(), score(*scorer, at(319.5, 0.5, 500.01)), {half, half});
 }
 
 TEST_P(EveryScorer, SeesNoEdgeWhereAFlatFaceFillsTheImage) {
@@ -219,7 +234,9 @@ TEST_P(EveryScorer, CountsMatchesAndTheirComplement) {
   const auto with_others = scores(*scorer, poses);
   for (std::size_t i = 0; i < poses.size(); ++i) {
     EXPECT_EQ(with_some[i].rendered, with_others[i].rendered);
-    EXPECT_EQ(with_some[i].matched + with_others[i].matched, with_some[i].rendered);
+    const int sum = with_some[i].matched + with_others[i].matched;
+    const int rounding = only_estimates(GetParam()) ? 1 : 0;
+    EXPECT_NEAR(sum, with_some[i].rendered, rounding);
   }
 }
 
@@ -307,7 +324,10 @@ TEST_P(EveryScorer, TakesImagesOfAnySize) {
     int rendered = 0;
     for (const EdgeMatch& match : scores(*scorer, mixed_poses(setup))) {
       EXPECT_EQ(match.matched, match.rendered) << size.width << "x" << size.height;
-      EXPECT_LE(match.rendered, size.area()) << size.width << "x" << size.height;
+      // An estimate does not know how crowded a small image is.
+      if (!only_estimates(GetParam())) {
+        EXPECT_LE(match.rendered, size.area()) << size.width << "x" << size.height;
+      }
       rendered += match.rendered;
     }
     EXPECT_GT(rendered, 0) << size.width << "x" << size.height;

@@ -15,6 +15,11 @@ std::vector<std::uint16_t> pixels(std::uint16_t bin, std::size_t count = 200) {
   return std::vector<std::uint16_t>(count, bin);
 }
 
+std::uint16_t bin_of(const Appearance& grey_appearance, std::uint8_t level) {
+  const std::array<std::uint8_t, 3> pixel{level, 0, 0};  // as part of an image
+  return grey_appearance.bin(pixel.data());
+}
+
 TEST(AppearanceOfColours, TellsTheObjectsFromThoseBesideIt) {
   Appearance appearance(3);
   const auto red = appearance.bin(kRed.data()), blue = appearance.bin(kBlue.data());
@@ -57,19 +62,18 @@ TEST(AppearanceOfColours, ForgetsOldFramesSlowly) {
 
 TEST(AppearanceOfGreyLevels, TellsTheObjectsFromThoseBesideIt) {
   Appearance appearance(1);
-  const std::uint8_t bright = 255, dark = 0, middle = 128;
-  appearance.learn(pixels(appearance.bin(&bright)), pixels(appearance.bin(&dark)));
+  const auto bin = [&](std::uint8_t level) { return bin_of(appearance, level); };
+  appearance.learn(pixels(bin(255)), pixels(bin(0)));
   EXPECT_EQ(appearance.channels(), 1);
-  EXPECT_EQ(appearance.log_odds(appearance.bin(&bright)), Appearance::kLimit);
-  EXPECT_EQ(appearance.log_odds(appearance.bin(&dark)), -Appearance::kLimit);
-  EXPECT_EQ(appearance.log_odds(appearance.bin(&middle)), 0);
+  EXPECT_EQ(appearance.log_odds(bin(255)), Appearance::kLimit);
+  EXPECT_EQ(appearance.log_odds(bin(0)), -Appearance::kLimit);
+  EXPECT_EQ(appearance.log_odds(bin(128)), 0);
 }
 
 TEST(AppearanceOfGreyLevels, HasABinForEveryLevel) {
   const Appearance appearance(1);
   for (int level = 0; level < 256; ++level) {
-    const auto byte = static_cast<std::uint8_t>(level);
-    EXPECT_EQ(appearance.bin(&byte), level / 2);
+    EXPECT_EQ(bin_of(appearance, static_cast<std::uint8_t>(level)), level / 2);
   }
 }
 

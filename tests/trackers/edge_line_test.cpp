@@ -66,9 +66,9 @@ TEST(EdgeLineOnAStep, FindsItBetweenPixelsWhicheverSideIsBright) {
         const EdgeLine line({image, {}}, kMiddle, kRight, 8);
         const EdgeLine::Edge edge = best_of(line);
         ASSERT_GT(edge.strength, 0) << before << " to " << behind << " at " << at_px;
-        // The parabola through three slopes is that far off at worst.
-        EXPECT_NEAR(edge.offset_px, at_px, 0.08) << before << " to " << behind;
-        EXPECT_NEAR(line.strongest().offset_px, at_px, 0.25) << "shifted to the dark side";
+        // 0.11 px at worst, where the step halves a pixel: the correction is right on average.
+        EXPECT_NEAR(edge.offset_px, at_px, 0.13) << before << " to " << behind;
+        EXPECT_NEAR(line.strongest().offset_px, at_px, 0.35) << "shifted to the dark side";
       }
     }
   }
@@ -76,10 +76,10 @@ TEST(EdgeLineOnAStep, FindsItBetweenPixelsWhicheverSideIsBright) {
 
 TEST(EdgeLineOnAStep, CountsFromTheMiddleAlongTheNormal) {
   const cv::Mat image = stripes({{32.5, grey(40)}, {1e9, grey(160)}}, false);
-  EXPECT_NEAR(best_of({{image, {}}, kMiddle, -kRight, 8}).offset_px, -2.5, 0.08);
+  EXPECT_NEAR(best_of({{image, {}}, kMiddle, -kRight, 8}).offset_px, -2.5, 0.13);
   // The same pixels as part of a larger image.
   const Eigen::Vector2d shifted = kMiddle + Eigen::Vector2d(100, 50);
-  EXPECT_NEAR(best_of({{image, {100, 50}}, shifted, kRight, 8}).offset_px, 2.5, 0.08);
+  EXPECT_NEAR(best_of({{image, {100, 50}}, shifted, kRight, 8}).offset_px, 2.5, 0.13);
 }
 
 TEST(EdgeLineOnAStep, FindsNothingOnAPlainPictureOrBeyondItsReach) {
@@ -102,9 +102,9 @@ TEST(EdgeLineWithAPolarity, RefusesTheWrongOne) {
   EXPECT_EQ(best_of(line).strength, 0);
   EXPECT_EQ(line.strongest().strength, 0);
   line.require(1);
-  EXPECT_NEAR(best_of(line).offset_px, 1.0, 0.08);
+  EXPECT_NEAR(best_of(line).offset_px, 1.0, 0.13);
   line.require(0);
-  EXPECT_NEAR(best_of(line).offset_px, 1.0, 0.08);
+  EXPECT_NEAR(best_of(line).offset_px, 1.0, 0.13);
 }
 
 TEST(EdgeLineWithColours, PrefersTheObjectsEdgeToStrongerClutter) {

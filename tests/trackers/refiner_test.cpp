@@ -92,8 +92,7 @@ TEST(Refining, StaysAtTheTruth) {
 TEST(Refining, TakesColourImages) {
   const Pose truth = corner_view();
   cv::Mat colour;
-  cv::cvtColor(test::photograph(box().model, camera(), truth, 20), colour,
-               cv::COLOR_GRAY2BGR);
+  cv::cvtColor(test::photograph(box().model, camera(), truth, 20), colour, cv::COLOR_GRAY2BGR);
   const Left left = left_after_refining(box(), colour, truth, {0.5, -0.5, 0.5}, {0.5, 0.5, 2});
   EXPECT_LT(left.mm, 0.1);
   EXPECT_LT(left.deg, 0.1);
@@ -108,22 +107,33 @@ TEST(Refining, UsesTheTextureWhereTheShapeSaysNothing) {
     }
   }
   const Object sphere(test::make_grid(
-      48, 2 * EIGEN_PI, 24, -EIGEN_PI / 2, EIGEN_PI / 2,
-      [](double u, double v) {
-        MeshVertex vertex;
-        vertex.normal =
-            Eigen::Vector3d(std::cos(u) * std::cos(v), std::sin(u) * std::cos(v), std::sin(v))
-                .cast<float>();
-        vertex.position_mm = 50 * vertex.normal;
-        return vertex;
-      },
-      patches),
-      true);
+                          48, 2 * EIGEN_PI, 24, -EIGEN_PI / 2, EIGEN_PI / 2,
+                          [](double u, double v) {
+                            MeshVertex vertex;
+                            vertex.normal = Eigen::Vector3d(std::cos(u) * std::cos(v),
+                                                            std::sin(u) * std::cos(v), std::sin(v))
+                                                .cast<float>();
+                            vertex.position_mm = 50 * vertex.normal;
+                            return vertex;
+                          },
+                          patches),
+                      true);
   const Pose truth{rotation_from_axis_angle({1, 0.3, 0}, 1.2), {0, 0, 320}};
   const cv::Mat image = test::photograph(sphere.model, camera(), truth, 20);
   const Left left = left_after_refining(sphere, image, truth, {1, 1, -1}, {0.5, 0.5, 1});
   EXPECT_LT(left.deg, 0.5);
   EXPECT_LT(left.mm, 1.0);
+}
+
+TEST(Refining, SlidesTheOutlineOfARoundObjectToWhereTheCameraSeesIt) {
+  // Its views are seen from afar: where they have the outline, the ball would be too near.
+  const Object ball(test::make_coloured_sphere(50));
+  for (std::uint32_t i = 0; i < 6; ++i) {
+    const Pose truth{test::random_rotation({.seed = 6, .particle = i}), {10, -5, 250}};
+    const cv::Mat image = test::photograph(ball.model, camera(), truth, 11);
+    const Left left = left_after_refining(ball, image, truth, {0, 0, 0}, {0.5, -0.5, 2});
+    EXPECT_LT(left.mm, 0.5) << "pose " << i;
+  }
 }
 
 TEST(Refining, ReportsNoSupportWhereThereIsNoObject) {
@@ -177,7 +187,8 @@ TEST(Refining, LooksAtItsWindowOnly) {
     EXPECT_EQ(result.camera_from_object.translation_mm, start.translation_mm);
   }
   refiner.set_image(image, cv::Rect(-20, -20, image.cols, image.rows + 40));
-  EXPECT_LT(center_distance_mm(*box().mesh, refine(refiner, start).camera_from_object, truth), 0.15);
+  EXPECT_LT(center_distance_mm(*box().mesh, refine(refiner, start).camera_from_object, truth),
+            0.15);
 }
 
 TEST(Refining, TakesWhatTheEdgesLeaveOpenFromTheExpectedPose) {
@@ -198,18 +209,17 @@ TEST(Refining, TakesWhatTheEdgesLeaveOpenFromTheExpectedPose) {
 
 TEST(Refining, LearnsTheColoursOnBothSidesOfTheSilhouette) {
   const Pose truth = corner_view();
-  cv::Mat image = test::photograph(box().model, camera(), truth, 20);
+  const cv::Mat image = test::photograph(box().model, camera(), truth, 20);
   Refiner refiner(box().views, camera());
   refiner.set_image(image, whole(image));
   Appearance appearance(1);
   refiner.teach(truth, appearance);
   ASSERT_TRUE(appearance.learned());
-  const std::uint8_t background = 20;
-  EXPECT_LT(appearance.log_odds(appearance.bin(&background)), -Appearance::kScale);
-  const Eigen::Vector2d middle = camera().project(truth * Eigen::Vector3d::Zero());
-  const std::uint8_t face = image.at<std::uint8_t>(static_cast<int>(middle.y()) + 20,
-                                                   static_cast<int>(middle.x()) + 20);
-  EXPECT_GE(appearance.log_odds(appearance.bin(&face)), 0);
+  const cv::Mat background(1, 4, CV_8UC1, cv::Scalar(20));
+  EXPECT_LT(appearance.log_odds(appearance.bin(background.data)), -Appearance::kScale);
+  const Eigen::Vector2d middle = camera().project(truth.translation_mm);
+  const auto* const face = image.ptr(static_cast<int>(middle.y())) + static_cast<int>(middle.x());
+  EXPECT_GE(appearance.log_odds(appearance.bin(face)), 0);
 }
 
 }  // namespace

@@ -39,7 +39,7 @@ TEST_F(ViewFile, KeepsTheViewsButForRounding) {
   const auto read = unpack(packed());
   ASSERT_TRUE(read);
   ASSERT_EQ(read->size(), views().size());
-  const double place_mm = 1.25 * radius_mm() / 32767;        // half a step, with room
+  const double place_mm = 1.25 * radius_mm() / 32767;  // half a step, with room
   const double length_mm = 0.5 * radius_mm() / 255;
   for (std::size_t i = 0; i < views().size(); ++i) {
     const ModelView& before = views()[i];
@@ -104,11 +104,10 @@ TEST_F(ViewFile, IsTheSameOnceRounded) {
 
 TEST_F(ViewFile, IsNotReadIfItIsTruncated) {
   const std::string_view whole = packed();
-  for (const std::size_t length : {std::size_t{0}, std::size_t{1}, std::size_t{3}, std::size_t{4},
-                                   std::size_t{11}, std::size_t{15}, std::size_t{16},
-                                   std::size_t{17}, std::size_t{23}, std::size_t{24},
-                                   std::size_t{30}, whole.size() / 3, whole.size() / 2 + 1,
-                                   whole.size() - 1}) {
+  for (const std::size_t length :
+       {std::size_t{0}, std::size_t{1}, std::size_t{3}, std::size_t{4}, std::size_t{11},
+        std::size_t{15}, std::size_t{16}, std::size_t{17}, std::size_t{23}, std::size_t{24},
+        std::size_t{30}, whole.size() / 3, whole.size() / 2 + 1, whole.size() - 1}) {
     EXPECT_FALSE(unpack(whole.substr(0, length))) << length << " bytes";
   }
 }

@@ -23,17 +23,17 @@ class ViewStore : public testing::Test {
               (std::string("anneal6d_views_") +
                testing::UnitTest::GetInstance()->current_test_info()->name());
     fs::remove_all(folder_);
-    setup_.mesh = test::make_box(90, 60, 75);
+    setup_.mesh = test::make_box(91, 61, 76);  // of which other tests keep no views
     setup_.camera = test::small_camera();
     setup_.edges.threshold = 40;
     setup_.view_cache = folder_;
     setup_.progress = [this](double) { ++drawn_; };
-    set_log_handler([this](LogLevel level, const std::string& text) {
-      if (level >= LogLevel::warning) warnings_ += text + "\n";
+    set_log_sink([this](LogLevel level, std::string_view message) {
+      if (level >= LogLevel::warning) warnings_ += std::string(message) + "\n";
     });
   }
   void TearDown() override {
-    set_log_handler({});
+    set_log_sink({});
     fs::remove_all(folder_);
   }
 
@@ -50,6 +50,80 @@ class ViewStore : public testing::Test {
   int drawn_ = 0;  ///< views
   std::string warnings_;
 };
+
+bool same(const ViewModel& a, const ViewModel& b) {
+  for (std::size_t i = 0; i < a.views().size(); ++i) {
+    const ModelView &one = a.views()[i], &other = b.views()[i];
+    if (one.contour.size() != other.contour.size() || one.edges != other.edges) return false;
+    for (std::size_t k = 0; k < one.contour.size(); ++k) {
+      if (one.contour[k].object_mm != other.contour[k].object_mm) return false;
+      if (one.contour[k].normal != other.contour[k].normal) return false;
+    }
+  }
+  return true;
+}
+
+TEST_F(ViewStore, SharesWhatIsInUse) {
+  const auto first = view_model_of(setup_);
+  EXPECT_EQ(drawn_, ViewModel::kViews);
+  EXPECT_EQ(view_model_of(setup_), first);
+  setup_.view_cache.clear();
+  setup_.mesh = test::make_box(91, 61, 76);
+  setup_.camera.fx_px *= 2;
+  setup_.threads = 1;
+  EXPECT_EQ(view_model_of(setup_), first) << "neither cache, camera nor threads change the views";
+  EXPECT_EQ(drawn_, ViewModel::kViews);
+}
+
+TEST_F(ViewStore, ReadsWhatAnEarlierRunWroteAndGivesTheSame) {
+  auto first = view_model_of(setup_);
+  const ViewModel made = *first;
+  first.reset();  // as if the program had ended
+  ASSERT_EQ(files().size(), 1U);
+  EXPECT_LT(fs::file_size(files()[0]), 15e6);
+  const auto second = view_model_of(setup_);
+  EXPECT_EQ(drawn_, ViewModel::kViews) << "drawn once";
+  EXPECT_TRUE(same(made, *second));
+  EXPECT_EQ(warnings_, "");
+}
+
+TEST_F(ViewStore, MakesOthersForAnotherModelOrDrawing) {
+  const auto first = view_model_of(setup_);
+  setup_.shading.ambient *= 0.5F;
+  const auto second = view_model_of(setup_);
+  EXPECT_NE(second, first);
+  setup_.mesh = test::make_box(91, 61, 77);
+  EXPECT_NE(view_model_of(setup_), second);
+  EXPECT_EQ(drawn_, 3 * ViewModel::kViews);
+  EXPECT_EQ(files().size(), 3U);
+}
+
+TEST_F(ViewStore, MakesADamagedFileAnew) {
+  const ViewModel made = *view_model_of(setup_);
+  const fs::path file = files().at(0);
+  const auto whole = fs::file_size(file);
+  fs::resize_file(file, whole / 2);
+  const auto again = view_model_of(setup_);
+  EXPECT_EQ(drawn_, 2 * ViewModel::kViews);
+  EXPECT_TRUE(same(made, *again));
+  EXPECT_EQ(fs::file_size(file), whole);
+  EXPECT_NE(warnings_.find("damaged"), std::string::npos) << warnings_;
+}
+
+TEST_F(ViewStore, DoesWithoutAFolderThatCannotBeWritten) {
+  std::ofstream(folder_) << "a file";  // no folder can be below it, not even root's
+  setup_.view_cache = folder_ / "below";
+  EXPECT_EQ(view_model_of(setup_)->views().size(), std::size_t{ViewModel::kViews});
+  EXPECT_NE(warnings_.find("the next run will prepare the model again"), std::string::npos)
+      << warnings_;
+}
+
+TEST_F(ViewStore, KeepsNothingWithoutAFolder) {
+  setup_.view_cache.clear();
+  EXPECT_NE(view_model_of(setup_), nullptr);
+  EXPECT_TRUE(files().empty());
+  EXPECT_EQ(warnings_, "");
+}
 
 }  // namespace
 }  // namespace anneal6d

@@ -143,6 +143,14 @@ EdgeLine::Edge EdgeLine::strongest() const {
   return best;
 }
 
+bool EdgeLine::has_edge(int from_px, int to_px) const {
+  const int end = std::min(middle_ + to_px, last_ - kMargin);
+  for (int i = std::max(middle_ + from_px, kMargin); i <= end; ++i) {
+    if (score(i) > 0) return true;
+  }
+  return false;
+}
+
 int EdgeLine::find(std::span<Edge> edges) const {
   std::size_t count = 0;
   for (int i = kMargin; i <= last_ - kMargin; ++i) {

@@ -50,6 +50,9 @@ class EdgeLine {
   /// mixture, which moves the greatest slope off a step, to its dark side. Returns their number.
   int find(std::span<Edge> edges) const;
 
+  /// Whether there is an edge from one place to another, in pixels from the middle.
+  bool has_edge(int from_px, int to_px) const;
+
   /// How well colours agree with an edge in the middle, 0..1; 1 without colours.
   float agreement() const { return region_[middle_]; }
 

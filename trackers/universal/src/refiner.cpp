@@ -19,6 +19,7 @@ constexpr double kFinestReach_px = 2.5;
 constexpr double kHalfStrength = 4.0;  // slope at which an edge weighs half of a strong one
 constexpr double kSupport_px = 2.0;
 constexpr double kFit_px = 0.5;
+constexpr int kAside_px = 8, kAsideReach_px = 2;  // where edges are no edges of the contour
 constexpr std::size_t kFewestPoints = 8;
 constexpr double kNearest_mm = 1.0;
 constexpr double kFeigned = 0.005;
@@ -226,6 +227,20 @@ Refiner::Result Refiner::examine(const Pose& camera_from_object, const Appearanc
   result.fit = fitting / static_cast<double>(targets_.size());
   result.support = confirmed / static_cast<double>(targets_.size());
   return result;
+}
+
+double Refiner::chance(const Pose& camera_from_object) {
+  if (window_.empty()) return 0;
+  project(camera_from_object, views_.seen_from(camera_from_object), kAllPoints);
+  if (targets_.empty()) return 0;
+  int hits = 0;
+  for (const Target& target : targets_) {
+    EdgeLine line(picture(), target.image_px, target.normal, kAside_px + kAsideReach_px);
+    line.require(target.polarity);
+    hits += line.has_edge(kAside_px - kAsideReach_px, kAside_px + kAsideReach_px);
+    hits += line.has_edge(-kAside_px - kAsideReach_px, -kAside_px + kAsideReach_px);
+  }
+  return 0.5 * hits / static_cast<double>(targets_.size());
 }
 
 void Refiner::teach(const Pose& camera_from_object, Appearance& appearance) {

@@ -51,6 +51,10 @@ class Refiner {
   /// How well the image confirms a pose.
   Result examine(const Pose& camera_from_object, const Appearance& appearance);
 
+  /// The share of the visible contour that would have an edge near it also where it does not
+  /// belong, 0..1: in a cluttered image edges confirm little.
+  double chance(const Pose& camera_from_object);
+
   /// Teaches the colours on both sides of the silhouette.
   void teach(const Pose& camera_from_object, Appearance& appearance);
 

@@ -31,7 +31,6 @@ constexpr int kPasses = 3;            // of the search, each twice as wide as th
 constexpr double kRegionWeight = 20;  // of the colours beside the edges, as the rating's c
 constexpr double kFirstSupport = 0.8;
 constexpr double kSupportRate = 0.1;  // of the newest frame in the usual support
-constexpr double kLearnFrom = 0.3;    // support from which colours are learned
 constexpr double kWindow_px = 30.0;   // around the object, and three deviations of its motion
 constexpr double kLeastReach_px = 6.0, kMostReach_px = 16.0;
 constexpr std::size_t kSmallModel = 4000;  // triangles, drawn in less than a millisecond
@@ -50,11 +49,11 @@ ScorerSetup scorer_setup(const TrackerSetup& setup, const UniversalTrackerOption
   return scorer;
 }
 
-/// Share of frames with such support whose pose was right to 10 mm and 2 degrees, by and large; see
-/// README.md, "Quality".
-double quality_of(double support) {
-  return 0.92 * std::clamp((support - 0.22) / 0.28, 0.0, 1.0) +
-         0.08 * std::clamp((support - 0.5) / 0.5, 0.0, 1.0);
+/// Share of frames with such support beyond chance (1: all that is possible, 0: none) whose pose
+/// was right to 10 mm and 2 degrees, by and large; see README.md, "Quality".
+double quality_of(double support_beyond_chance) {
+  return 0.92 * std::clamp((support_beyond_chance + 0.05) / 0.28, 0.0, 1.0) +
+         0.08 * std::clamp((support_beyond_chance - 0.25) / 0.5, 0.0, 1.0);
 }
 
 /// What the default mode works with; the thesis's does without.
@@ -145,7 +144,7 @@ class UniversalTracker final : public RigidObjectTracker {
   Judgement judge(const TrackResult& result) override {
     Judgement judgement;
     if (sight_) {
-      judgement.quality = quality_of(support_);
+      judgement.quality = quality_;
     } else {
       // Edges that match by chance, because the image is full of them, confirm nothing.
       const double ratio = match_ratio(match_of(result.camera_from_object));
@@ -208,20 +207,20 @@ class UniversalTracker final : public RigidObjectTracker {
           sight_->refiner.polish(best.camera_from_object, guess, view, appearance);
     }
     support_ = best.support;
+    const double chance = sight_->refiner.chance(best.camera_from_object);
+    quality_ = quality_of((support_ - chance) / std::max(1e-6, 1.0 - chance));
     usual_support_ += kSupportRate * (support_ - usual_support_);
     Pose found = filter_.to_center(best.camera_from_object);
     found.rotation = symmetry_.fold(found.rotation, last.rotation);
     result.camera_from_object = result.best_camera_from_object = filter_.to_object(found);
-    if (quality_of(support_) < kLostQuality) {
+    if (quality_ < kLostQuality) {
       // Go on searching around the last pose that was confirmed.
       motion_.reset();
       return;
     }
     center_ = found;
     motion_.observe(last, center_);
-    if (support_ > kLearnFrom) {
-      sight_->refiner.teach(result.camera_from_object, *sight_->appearance);
-    }
+    sight_->refiner.teach(result.camera_from_object, *sight_->appearance);
   }
 
   /// The same or a better pose near it: edges side by side, such as the two of a cup's rim, make
@@ -325,7 +324,7 @@ class UniversalTracker final : public RigidObjectTracker {
   Twist last_motion_ = Twist::Zero();
   std::uint32_t frame_number_ = 0;
   int bad_frames_ = 0;
-  double support_ = 0;                        ///< of the last estimate
+  double support_ = 0, quality_ = 0;          ///< of the last estimate
   double usual_support_ = 0, usual_fit_ = 0;  ///< of estimates lately
   cv::Mat image_;
   EdgeImage edges_, edges_around_;

@@ -2,12 +2,12 @@
 // Copyright (c) 2026 The Anneal6D authors
 #include "view_model.h"
 
+#include <tbb/blocked_range.h>
 #include <tbb/enumerable_thread_specific.h>
 #include <tbb/parallel_for.h>
 #include <tbb/task_arena.h>
 
 #include <algorithm>
-#include <atomic>
 #include <cmath>
 #include <mutex>
 #include <numbers>
@@ -15,23 +15,32 @@
 #include "view_painter.h"
 
 namespace anneal6d {
+namespace {
+
+constexpr std::size_t kViewsPerTask = 8;
+
+}  // namespace
 
 ViewModel::ViewModel(const RasterModel& model, const EdgeOptions& edges, const Shading& shading,
                      int threads, const std::function<void(double)>& progress)
     : center_mm_(model.mesh->center_mm().cast<double>()), views_(kViews) {
   const ViewPainter prototype(model, edges, shading, view_camera());
-  tbb::enumerable_thread_specific<ViewPainter> painters(prototype);
+  tbb::enumerable_thread_specific<ViewPainter> painters([&] { return prototype; });
   tbb::task_arena arena(threads > 0 ? threads : tbb::task_arena::automatic);
   std::mutex reporting;
-  int done = 0;
+  std::size_t done = 0;
   arena.execute([&] {
-    tbb::parallel_for(0, kViews, [&](int i) {
-      views_[static_cast<std::size_t>(i)] =
-          painters.local().paint(direction(i), static_cast<std::uint32_t>(i));
-      const std::scoped_lock lock(reporting);
-      ++done;
-      if (progress) progress(static_cast<double>(done) / kViews);
-    });
+    tbb::parallel_for(
+        tbb::blocked_range<std::size_t>(0, views_.size(), kViewsPerTask), [&](const auto& range) {
+          ViewPainter& painter = painters.local();
+          for (std::size_t i = range.begin(); i < range.end(); ++i) {
+            views_[i] =
+                painter.paint(direction(static_cast<int>(i)), static_cast<std::uint32_t>(i));
+          }
+          const std::scoped_lock lock(reporting);
+          done += range.end() - range.begin();
+          if (progress) progress(static_cast<double>(done) / static_cast<double>(views_.size()));
+        });
   });
   index_directions();
 }
