@@ -89,7 +89,7 @@ TEST_F(Track, GivesTheSamePosesForTheSameSeedOnAnyNumberOfThreads) {
 }
 
 TEST_F(Track, GivesOtherPosesForAnotherSeed) {
-  const std::string base = "track " + sequence_argument_ + fast_ + " --frames 3";
+  const std::string base = "track " + sequence_argument_ + fast_ + " --mode thesis --frames 3";
   ASSERT_EQ(tool(base + " --seed 3 --poses three.csv").status, 0);
   ASSERT_EQ(tool(base + " --seed 4 --poses four.csv").status, 0);
   EXPECT_NE(untimed(lines_of(scratch_ / "three.csv")), untimed(lines_of(scratch_ / "four.csv")));
