@@ -13,6 +13,7 @@
 
 #include "anneal6d/framework/error.h"
 #include "anneal6d/framework/rating.h"
+#include "anneal6d/trackers/universal_tracker.h"
 #include "scorer_cases.h"
 
 namespace anneal6d {
@@ -66,6 +67,7 @@ class ExactScorer : public testing::TestWithParam<std::tuple<std::string, EdgeCa
   std::unique_ptr<PoseScorer> make(std::string_view scorer_name, const test::Model& model,
                                    const EdgeOptions& edges, int threshold_change = 0) const {
     ScorerSetup setup;
+    setup.view_cache = default_view_cache();
     setup.mesh = model.mesh;
     setup.camera = test::vga_camera();
     setup.edges = edges;
@@ -195,6 +197,7 @@ class SparseScorer : public testing::TestWithParam<SparseCase> {};
 TEST_P(SparseScorer, IsCloseToTheExactCounts) {
   const ScorerTable table = test::all_scorers();
   ScorerSetup setup;
+  setup.view_cache = default_view_cache();
   setup.camera = test::vga_camera();
   for (const EdgeCase& edge_case : test::edge_cases()) {
     if (edge_case.name == GetParam().edges) setup.edges = edge_case.edges;

@@ -11,6 +11,7 @@
 
 #include "anneal6d/framework/error.h"
 #include "anneal6d/framework/rating.h"
+#include "anneal6d/trackers/universal_tracker.h"
 #include "scorer_cases.h"
 
 namespace anneal6d {
@@ -39,6 +40,7 @@ Pose at(double x_mm, double y_mm, double z_mm) {
 /// The textured can, Sobel.
 ScorerSetup can_setup() {
   ScorerSetup setup;
+  setup.view_cache = default_view_cache();
   setup.mesh = test::models()[1].mesh;
   setup.camera = test::vga_camera();
   setup.edges.threshold = 40;
@@ -48,6 +50,7 @@ ScorerSetup can_setup() {
 /// A thin box; at z = 500 mm its front covers 100 x 60 pixels.
 ScorerSetup plate_setup() {
   ScorerSetup setup;
+  setup.view_cache = default_view_cache();
   setup.mesh = test::make_box(100, 60, 0.02F);
   setup.camera = {
       .width_px = 640, .height_px = 480, .fx_px = 500, .fy_px = 500, .cx_px = 320, .cy_px = 240};

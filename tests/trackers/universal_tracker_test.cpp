@@ -11,7 +11,6 @@
 #include "anneal6d/framework/error.h"
 #include "anneal6d/trackers/plugins.h"
 #include "synthetic.h"
-#include "view_store.h"
 
 namespace anneal6d {
 namespace {
@@ -28,31 +27,19 @@ const SharedMesh& box() {
   return mesh;
 }
 
-/// Keeps the views of the box in use, so that they are drawn once in a test program.
-void share_views_of_the_box() {
-  static const auto views = [] {
-    ScorerSetup setup;
-    setup.mesh = box();
-    setup.camera = test::small_camera();
-    setup.edges = UniversalTrackerOptions{}.model_edges;
-    return view_model_of(setup);
-  }();
-}
-
 TrackerSetup setup_for(const SharedMesh& mesh, const Values& values) {
   TrackerSetup setup;
   setup.mesh = mesh;
   setup.camera = test::small_camera();
   setup.scorers = cpu_scorer_plugins();
-  setup.settings.set("view-cache", "off");
   for (const auto& [name, value] : values) setup.settings.set(name, value);
   return setup;
 }
 
 std::unique_ptr<RigidObjectTracker> make_tracker(const Values& values = {},
                                                  const SharedMesh& mesh = box()) {
-  if (mesh == box()) share_views_of_the_box();
-  return make_plugin(tracker_plugins(), "tracker", "universal", setup_for(mesh, values));
+  if (mesh == box())
+    return make_plugin(tracker_plugins(), "tracker", "universal", setup_for(mesh, values));
 }
 
 /// Frames of an object that somebody moves smoothly, and where it truly was.
