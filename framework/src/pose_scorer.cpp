@@ -16,4 +16,13 @@ void ScorerSetup::validate() const {
   if (threads < 0) throw ConfigError("threads: " + std::to_string(threads) + " is negative");
 }
 
+void check_edge_image(const EdgeImage& edges, const cv::Size& camera_size) {
+  const cv::Mat& binary = edges.binary;
+  if (binary.type() == CV_8UC1 && binary.size() == camera_size) return;
+  throw ConfigError("the frame's edge image must be CV_8UC1 of the camera's size, " +
+                    std::to_string(camera_size.width) + "x" + std::to_string(camera_size.height) +
+                    "; it has " + std::to_string(binary.cols) + "x" + std::to_string(binary.rows) +
+                    " and OpenCV type " + std::to_string(binary.type()));
+}
+
 }  // namespace anneal6d

@@ -4,7 +4,6 @@
 
 #include <cassert>
 #include <opencv2/imgproc.hpp>
-#include <string>
 
 #include "anneal6d/visualizer/headless_context.h"
 
@@ -25,13 +24,7 @@ ReferenceScorer::ReferenceScorer(const ScorerSetup& setup)
       frame_edges_(cv::Mat::zeros(setup.camera.height_px, setup.camera.width_px, CV_8UC1)) {}
 
 void ReferenceScorer::set_edges(const EdgeImage& edges) {
-  if (edges.binary.type() != CV_8UC1 || edges.binary.size() != frame_edges_.size()) {
-    throw ConfigError("the frame's edge image must be CV_8UC1 of the camera's size, " +
-                      std::to_string(frame_edges_.cols) + "x" + std::to_string(frame_edges_.rows) +
-                      "; it has " + std::to_string(edges.binary.cols) + "x" +
-                      std::to_string(edges.binary.rows) + " and OpenCV type " +
-                      std::to_string(edges.binary.type()));
-  }
+  check_edge_image(edges, frame_edges_.size());
   frame_edges_ = edges.binary;
 }
 

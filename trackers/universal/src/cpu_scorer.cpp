@@ -38,14 +38,9 @@ class CpuScorer final : public PoseScorer {
         arena_(setup.threads > 0 ? setup.threads : tbb::task_arena::automatic) {}
 
   void set_edges(const EdgeImage& edges) override {
-    const cv::Mat& binary = edges.binary;
-    if (binary.type() != CV_8UC1 || binary.cols != camera_.width_px ||
-        binary.rows != camera_.height_px) {
-      throw ConfigError("scorer: the edge image is not 8-bit grey of " +
-                        std::to_string(camera_.width_px) + "x" + std::to_string(camera_.height_px));
-    }
-    frame_binary_ = binary;
-    frame_packed_.assign(binary);
+    check_edge_image(edges, {camera_.width_px, camera_.height_px});
+    frame_binary_ = edges.binary;
+    frame_packed_.assign(edges.binary);
   }
 
   void score(std::span<const Pose> camera_from_object, std::span<EdgeMatch> matches) override {

@@ -11,7 +11,6 @@ namespace anneal6d {
 namespace {
 
 constexpr float kFaintest = 2.5F;      // grey levels a pixel: weaker slopes are no edge
-constexpr float kHalfStrength = 4.0F;  // slope at which an edge counts half of a strong one
 constexpr float kRegionWeight = 0.5F;  // pixels beside each other show the same
 
 float square(float x) { return x * x; }
@@ -115,7 +114,7 @@ float EdgeLine::score(int i) const {
   }
   // Prefer strong edges, but near ones more.
   const float distance = static_cast<float>(i - middle_) * inv_reach_ / 0.6F;
-  return slope_[i] / (slope_[i] + kHalfStrength) * std::exp(-square(distance)) * region_[i];
+  return edge_weight(slope_[i]) * std::exp(-square(distance)) * region_[i];
 }
 
 float EdgeLine::between(int i) const {

@@ -14,6 +14,12 @@ namespace anneal6d {
 /// Blur of the pictures in which edges are located, sigma of the Gaussian.
 inline constexpr double kEdgeBlur_px = 1.0;
 
+/// How much an edge counts, 0..1, whose slope is `strength` grey levels a pixel.
+inline float edge_weight(float strength) {
+  constexpr float kHalf = 4.0F;  // the slope that counts half
+  return strength / (strength + kHalf);
+}
+
 /// A blurred picture, CV_8UC1 or CV_8UC3, and where its first pixel lies in the image.
 struct SmoothPicture {
   const cv::Mat& smooth;

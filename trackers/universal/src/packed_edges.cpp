@@ -7,15 +7,15 @@
 namespace anneal6d {
 
 void PackedEdges::assign(const cv::Mat& binary) {
-  constexpr std::size_t kReadAhead = 16;  // bytes: two words behind the last pixel
+  constexpr std::size_t kReadAhead = 4;  // words: 16 bytes behind the last pixel
   size_ = binary.size();
-  stride_ = (static_cast<std::size_t>(size_.width) + 7) / 8 + kReadAhead;
-  bytes_.assign(stride_ * static_cast<std::size_t>(size_.height), 0);
+  words_a_row_ = (static_cast<std::size_t>(size_.width) + 31) / 32 + kReadAhead;
+  words_.assign(words_a_row_ * static_cast<std::size_t>(size_.height), 0);
   for (int y = 0; y < size_.height; ++y) {
     const auto* const from = binary.ptr<std::uint8_t>(y);
-    auto* const to = bytes_.data() + static_cast<std::size_t>(y) * stride_;
+    auto* const to = words_.data() + static_cast<std::size_t>(y) * words_a_row_;
     for (int x = 0; x < size_.width; ++x) {
-      to[x >> 3] = static_cast<std::uint8_t>(to[x >> 3] | (from[x] != 0) << (x & 7));
+      to[x / 32] |= static_cast<std::uint32_t>(from[x] != 0) << (x % 32);
     }
   }
 }

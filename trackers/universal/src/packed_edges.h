@@ -9,7 +9,7 @@
 namespace anneal6d {
 
 /// An edge image as one bit a pixel, lowest bit first. Rows are padded so that a 64-bit word can be
-/// read from the byte of any pixel.
+/// read from the byte of any pixel. For machines whose lowest byte comes first.
 class PackedEdges {
  public:
   PackedEdges() = default;
@@ -18,14 +18,18 @@ class PackedEdges {
   void assign(const cv::Mat& binary);
 
   const std::uint8_t* row(int y) const {
-    return bytes_.data() + static_cast<std::size_t>(y) * stride_;
+    return reinterpret_cast<const std::uint8_t*>(words_.data() +
+                                                 static_cast<std::size_t>(y) * words_a_row_);
   }
+  /// All rows, one after the other: pixel x is bit x % 32 of its row's word x / 32.
+  const std::uint32_t* words() const { return words_.data(); }
+  int words_a_row() const { return static_cast<int>(words_a_row_); }
   cv::Size size() const { return size_; }
 
  private:
   cv::Size size_;
-  std::size_t stride_ = 0;
-  std::vector<std::uint8_t> bytes_;
+  std::size_t words_a_row_ = 0;
+  std::vector<std::uint32_t> words_;
 };
 
 /// Widens the set bits of a packed image of `height` rows of `words` words each by `radius_px` in

@@ -46,9 +46,6 @@ class PoseFilter final : public ParticleFilter<Pose> {
 
   void set_layer(const Layer& layer) { layer_ = layer; }
 
-  /// The counts of the particle with the greatest weight.
-  const EdgeMatch& best_match() const { return matches_[best_index()]; }
-
   /// Weighted covariance of the particles about `center`, as twists.
   Eigen::Matrix<double, 6, 6> covariance(const Pose& camera_from_center) const;
 

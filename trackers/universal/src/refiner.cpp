@@ -7,6 +7,8 @@
 #include <cmath>
 #include <opencv2/imgproc.hpp>
 
+#include "anneal6d/framework/shading.h"
+
 namespace anneal6d {
 namespace {
 
@@ -16,14 +18,12 @@ constexpr int kRounds = 4;
 constexpr int kPolishingRounds = 2;
 constexpr int kStepsPerRound = 3;
 constexpr double kFinestReach_px = 2.5;
-constexpr double kHalfStrength = 4.0;  // slope at which an edge weighs half of a strong one
 constexpr double kSupport_px = 2.0;
 constexpr double kFit_px = 0.5;
 constexpr int kAside_px = 8, kAsideReach_px = 2;  // where edges are no edges of the contour
 constexpr std::size_t kFewestPoints = 8;
-constexpr double kNearest_mm = 1.0;
-constexpr double kFeigned = 0.005;
-constexpr int kColourGap_px = 2;  // blurred edges are of neither colour
+constexpr double kFeigned = 0.005;  // share of visible motion, see `solve`
+constexpr int kColourGap_px = 2;    // blurred edges are of neither colour
 constexpr int kColourReach_px = 12;
 
 double square(double x) { return x * x; }
@@ -58,7 +58,7 @@ void Refiner::project(const Pose& camera_from_object, const ModelView& view,
     target.object_mm += sample.curve_mm * (turned - normal);
 
     const Eigen::Vector3d p = rotation * target.object_mm + camera_from_object.translation_mm;
-    if (p.z() < kNearest_mm) continue;
+    if (p.z() < kNearPlane_mm) continue;
     target.image_px = camera_.project(p);
     if (!(target.image_px.x() > window_.x + 1 && target.image_px.y() > window_.y + 1 &&
           target.image_px.x() < window_.br().x - 2 && target.image_px.y() < window_.br().y - 2)) {
@@ -106,7 +106,7 @@ void Refiner::step(Pose& camera_from_object, double reach_px) {
   for (const Target& target : targets_) {
     if (target.edge_count == 0) continue;
     const Eigen::Vector3d p = rotation * target.object_mm + camera_from_object.translation_mm;
-    if (p.z() < kNearest_mm) continue;
+    if (p.z() < kNearPlane_mm) continue;
     const double moved_px = target.normal.dot(camera_.project(p) - target.image_px);
     const EdgeLine::Edge* best = nullptr;
     double best_score = 0, residual_px = 0;
@@ -129,7 +129,7 @@ void Refiner::step(Pose& camera_from_object, double reach_px) {
     jacobian << (p - center).cross(gradient), gradient;
 
     const double tukey = square(1 - square(residual_px / cutoff_px));
-    const double weight = target.trust * tukey * best->strength / (best->strength + kHalfStrength);
+    const double weight = target.trust * tukey * edge_weight(best->strength);
     normal_matrix.selfadjointView<Eigen::Lower>().rankUpdate(jacobian, weight);
     right_side += weight * residual_px * jacobian;
     whole_weight += weight;
@@ -207,7 +207,7 @@ Pose Refiner::polish(const Pose& refined_camera_from_object,
 }
 
 Refiner::Result Refiner::examine(const Pose& camera_from_object, const Appearance& appearance) {
-  Result result{camera_from_object, 0, 0, 0};
+  Result result{camera_from_object, 0, 0};
   if (window_.empty()) return result;
   project(camera_from_object, views_.seen_from(camera_from_object), kAllPoints);
   if (targets_.size() < kFewestPoints) return result;
@@ -223,7 +223,6 @@ Refiner::Result Refiner::examine(const Pose& camera_from_object, const Appearanc
     fitting +=
         line.agreement() * std::exp(-0.5 * square((edge.offset_px - target.shift_px) / kFit_px));
   }
-  result.points = static_cast<int>(targets_.size());
   result.fit = fitting / static_cast<double>(targets_.size());
   result.support = confirmed / static_cast<double>(targets_.size());
   return result;

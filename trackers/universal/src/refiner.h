@@ -31,7 +31,6 @@ class Refiner {
     Pose camera_from_object;
     double support = 0;  ///< 0..1: share of the visible contour that the image confirms
     double fit = 0;      ///< 0..1: the same, of edges that are where they should be to half a pixel
-    int points = 0;      ///< visible contour points
   };
 
   /// Starts with a search range of `reach_px` and narrows it. What the edges leave open, such as

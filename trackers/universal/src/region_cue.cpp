@@ -6,11 +6,12 @@
 #include <array>
 #include <cmath>
 
+#include "anneal6d/framework/shading.h"
+
 namespace anneal6d {
 namespace {
 
 constexpr std::size_t kPoints = 80;
-constexpr double kNearest_mm = 1.0;
 constexpr std::array<double, 3> kDistances_px = {3.0, 8.0, 16.0};
 constexpr double kClear = 1.0 * Appearance::kScale;  // odds that count as certain
 
@@ -53,7 +54,7 @@ double RegionCue::score_one(const Pose& camera_from_object) const {
   for (const ContourSample& sample : view.contour) {
     if (!sample.silhouette) continue;
     const Eigen::Vector3f p = rotation * sample.object_mm + translation;
-    if (p.z() < kNearest_mm) continue;
+    if (p.z() < kNearPlane_mm) continue;
     const Eigen::Vector3f n = rotation * sample.normal;
     const float inv_z = 1.0F / p.z();
     const float x = fx * p.x() * inv_z + static_cast<float>(camera_.cx_px);

@@ -11,6 +11,7 @@
 #include <string>
 
 #include "anneal6d/framework/error.h"
+#include "packed_edges.h"
 #include "sparse_kernels.h"
 #include "view_store.h"
 
@@ -25,29 +26,16 @@ class SparseScorer final : public PoseScorer {
       : camera_((setup.validate(), setup.camera)),
         radius_mm_(setup.mesh->radius_mm()),
         views_(view_model_of(setup)),
-        words_((camera_.width_px + 31) / 32),
         arena_(setup.threads > 0 ? setup.threads : tbb::task_arena::automatic) {}
 
   void set_edges(const EdgeImage& edges) override {
-    const cv::Mat& binary = edges.binary;
-    if (binary.type() != CV_8UC1 || binary.cols != camera_.width_px ||
-        binary.rows != camera_.height_px) {
-      throw ConfigError("scorer: the edge image is not 8-bit grey of " +
-                        std::to_string(camera_.width_px) + "x" + std::to_string(camera_.height_px));
-    }
-    bits_.assign(static_cast<std::size_t>(words_) * static_cast<std::size_t>(binary.rows), 0);
-    std::uint32_t* row = bits_.data();
-    for (int y = 0; y < binary.rows; ++y, row += words_) {
-      const auto* const line = binary.ptr<std::uint8_t>(y);
-      for (int x = 0; x < binary.cols; ++x) {
-        row[x / 32] |= static_cast<std::uint32_t>(line[x] != 0) << (x % 32);
-      }
-    }
+    check_edge_image(edges, {camera_.width_px, camera_.height_px});
+    frame_packed_.assign(edges.binary);
   }
 
   void score(std::span<const Pose> camera_from_object, std::span<EdgeMatch> matches) override {
     assert(camera_from_object.size() == matches.size());
-    if (bits_.empty()) throw ConfigError("scorer: set_edges() comes before score()");
+    if (frame_packed_.size().empty()) throw ConfigError("scorer: set_edges() comes before score()");
     const auto score_range = [&](std::size_t begin, std::size_t end) {
       for (std::size_t i = begin; i < end; ++i) matches[i] = score_one(camera_from_object[i]);
     };
@@ -82,8 +70,8 @@ class SparseScorer final : public PoseScorer {
                   .near_mm = static_cast<float>(kNearPlane_mm),
                   .width = camera_.width_px,
                   .height = camera_.height_px,
-                  .edges = bits_.data(),
-                  .words = words_,
+                  .edges = frame_packed_.words(),
+                  .words = frame_packed_.words_a_row(),
                   .inside = 0,
                   .on_edge = 0};
     for (int i = 0; i < 9; ++i) job.rotation[i] = static_cast<float>(rotation(i / 3, i % 3));
@@ -102,8 +90,7 @@ class SparseScorer final : public PoseScorer {
   CameraModel camera_;
   double radius_mm_;
   std::shared_ptr<const ViewModel> views_;
-  int words_;
-  std::vector<std::uint32_t> bits_;
+  PackedEdges frame_packed_;
   tbb::task_arena arena_;
 };
 

@@ -125,7 +125,9 @@ class UniversalTracker final : public RigidObjectTracker {
   void preprocess(const cv::Mat& undistorted) override {
     image_ = undistorted;
     if (!sight_) {
-      detect_edges_around(center_, 1.5 * mesh().radius_mm());
+      const cv::Rect around = detect_edges_around(center_, 1.5 * mesh().radius_mm());
+      chance_ = static_cast<double>(cv::countNonZero(edges_.binary(around))) /
+                static_cast<double>(around.area());
       return;
     }
     expected_ = {moved(center_, motion_.drift()), motion_.sigma()};
@@ -206,10 +208,9 @@ class UniversalTracker final : public RigidObjectTracker {
       best.camera_from_object =
           sight_->refiner.polish(best.camera_from_object, guess, view, appearance);
     }
-    support_ = best.support;
     const double chance = sight_->refiner.chance(best.camera_from_object);
-    quality_ = quality_of((support_ - chance) / std::max(1e-6, 1.0 - chance));
-    usual_support_ += kSupportRate * (support_ - usual_support_);
+    quality_ = quality_of((best.support - chance) / std::max(1e-6, 1.0 - chance));
+    usual_support_ += kSupportRate * (best.support - usual_support_);
     Pose found = filter_.to_center(best.camera_from_object);
     found.rotation = symmetry_.fold(found.rotation, last.rotation);
     result.camera_from_object = result.best_camera_from_object = filter_.to_object(found);
@@ -251,7 +252,8 @@ class UniversalTracker final : public RigidObjectTracker {
   }
 
   /// Finds the edges of the frame for the scorer, where a sphere around the object may appear.
-  void detect_edges_around(const Pose& camera_from_center, double radius_mm) {
+  /// Returns that part of the frame.
+  cv::Rect detect_edges_around(const Pose& camera_from_center, double radius_mm) {
     const cv::Rect around = window(camera_from_center, radius_mm, kWindow_px);
     EdgeOptions options = options_.frame_edges;
     if (!options.threshold) {
@@ -269,8 +271,7 @@ class UniversalTracker final : public RigidObjectTracker {
       edge_detector_.detect(image_, options, edges_);
     }
     scorer_->set_edges(edges_);
-    chance_ = static_cast<double>(cv::countNonZero(edges_.binary(around))) /
-              static_cast<double>(around.area());
+    return around;
   }
 
   /// Where a sphere about the object's centre and a margin around it appear; the whole image if
@@ -324,11 +325,11 @@ class UniversalTracker final : public RigidObjectTracker {
   Twist last_motion_ = Twist::Zero();
   std::uint32_t frame_number_ = 0;
   int bad_frames_ = 0;
-  double support_ = 0, quality_ = 0;          ///< of the last estimate
+  double quality_ = 0;                        ///< of the last estimate
   double usual_support_ = 0, usual_fit_ = 0;  ///< of estimates lately
   cv::Mat image_;
   EdgeImage edges_, edges_around_;
-  double chance_ = 0;  ///< share of edge pixels around the object
+  double chance_ = 0;  ///< share of edge pixels around the object, in thesis mode
 };
 
 }  // namespace

@@ -44,7 +44,7 @@ struct ModelView {
 
   std::vector<ContourSample> contour;
   /// Pixels of the edge image that the exact renderer makes of this view, as points of the object's
-  /// frame, millimetres. Padded with NaN when they are used.
+  /// frame, millimetres; in a view of a model padded with NaN to a multiple of kPadding.
   std::vector<float> edge_x, edge_y, edge_z;
   int edges = 0;      ///< points, without the padding
   float edge_px = 0;  ///< edge pixels that they stand for

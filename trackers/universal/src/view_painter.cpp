@@ -63,11 +63,8 @@ ModelView ViewPainter::paint(const Eigen::Vector3d& direction, std::uint32_t see
       Eigen::Vector3d(0, 0, ViewModel::kDistance * model_.mesh->radius_mm()) -
       camera_from_object.rotation * center_mm;
 
-  ModelView view;
-  region_ = rasterizer_.draw(camera_from_object, 8);
+  ModelView view = paint_contour(camera_from_object);
   if (region_.empty()) return view;
-  rasterizer_.take_images(grey_, depth_mm_);
-  sample_contour(camera_from_object, view);
   shuffle(view.contour, seed);
   if (view.contour.size() > kMostContour) view.contour.resize(kMostContour);
   sample_edges(camera_from_object, seed, view);
@@ -86,17 +83,13 @@ ModelView ViewPainter::paint_contour(const Pose& camera_from_object) {
   region_ = rasterizer_.draw(camera_from_object, 8);
   if (region_.empty()) return view;
   rasterizer_.take_images(grey_, depth_mm_);
-  sample_contour(camera_from_object, view);
-  return view;
-}
-
-void ViewPainter::sample_contour(const Pose& camera_from_object, ModelView& view) {
   extractor_.extract({camera_from_object, camera_, region_, grey_, depth_mm_}, kSpacing_px,
                      !model_.textures.empty(), points_);
   cv::GaussianBlur(grey_, smooth_grey_, {}, kEdgeBlur_px, kEdgeBlur_px, cv::BORDER_REPLICATE);
   for (const ContourPoint& point : points_) {
     view.contour.push_back(sample_of(point, camera_from_object));
   }
+  return view;
 }
 
 ContourSample ViewPainter::sample_of(const ContourPoint& point,
@@ -130,7 +123,7 @@ ContourSample ViewPainter::sample_of(const ContourPoint& point,
   if (before > 0.0F && (behind == 0.0F || behind - camera_mm.z() > step_mm)) {
     const double fall_mm = std::max(0.0, camera_mm.z() - before);
     sample.curve_mm = static_cast<float>(
-        std::min(fall_mm * fall_mm / (2 * kBend_px * mm_per_px), 1.0 * model_.mesh->radius_mm()));
+        std::min<double>(fall_mm * fall_mm / (2 * kBend_px * mm_per_px), model_.mesh->radius_mm()));
   }
   if (sample.silhouette) {
     int inside = 1, outside = 1;

@@ -30,7 +30,6 @@ class ViewPainter {
   ModelView paint_contour(const Pose& camera_from_object);
 
  private:
-  void sample_contour(const Pose& camera_from_object, ModelView& view);
   ContourSample sample_of(const ContourPoint& point, const Pose& camera_from_object) const;
   void sample_edges(const Pose& camera_from_object, std::uint32_t seed, ModelView& view);
   /// Depth of the picture, millimetres, 0 outside the object.

@@ -58,6 +58,10 @@ struct ScorerSetup {
   void validate() const;
 };
 
+/// What every scorer asks of the edges that it is given: CV_8UC1 of the camera's size, in pixels.
+/// Throws ConfigError.
+void check_edge_image(const EdgeImage& edges, const cv::Size& camera_size);
+
 using ScorerPlugin = Plugin<PoseScorer, ScorerSetup>;
 using ScorerTable = PluginTable<PoseScorer, ScorerSetup>;
 
