@@ -54,32 +54,23 @@ EdgeLine::EdgeLine(const SmoothPicture& picture, const Eigen::Vector2d& middle_p
       last_(2 * middle_),
       inv_reach_(1.0F / static_cast<float>(reach_px)) {
   const cv::Mat& smooth = picture.smooth;
-  const float right = static_cast<float>(smooth.cols) - 1.001F;
-  const float bottom = static_cast<float>(smooth.rows) - 1.001F;
-  const float x0 = static_cast<float>(middle_px.x() - picture.origin.x);
-  const float y0 = static_cast<float>(middle_px.y() - picture.origin.y);
-  const float nx = static_cast<float>(normal.x()), ny = static_cast<float>(normal.y());
-  const auto step = static_cast<std::ptrdiff_t>(smooth.step[0]);
-  const std::uint8_t* const data = smooth.ptr<std::uint8_t>();
-  for (int i = 0; i <= last_; ++i) {
-    const float along = static_cast<float>(i - middle_);
-    const float x = std::clamp(x0 + along * nx, 0.0F, right);
-    const float y = std::clamp(y0 + along * ny, 0.0F, bottom);
-    const int column = static_cast<int>(x), row = static_cast<int>(y);
-    const float fx = x - static_cast<float>(column), fy = y - static_cast<float>(row);
-    const std::uint8_t* const upper = data + row * step + column * channels_;
-    const std::uint8_t* const lower = upper + step;
-    for (int c = 0; c < channels_; ++c) {
-      const float a = upper[c], b = upper[c + channels_], p = lower[c], q = lower[c + channels_];
-      const float above = a + fx * (b - a), below = p + fx * (q - p);
-      grey_[c][i] = above + fy * (below - above);
-    }
-  }
+  const auto reach = static_cast<double>(middle_);
+  sample_line({.data = smooth.ptr<std::uint8_t>(),
+               .stride = static_cast<std::ptrdiff_t>(smooth.step[0]),
+               .columns = smooth.cols,
+               .rows = smooth.rows,
+               .channels = channels_,
+               .x = static_cast<float>(middle_px.x() - picture.origin.x - reach * normal.x()),
+               .y = static_cast<float>(middle_px.y() - picture.origin.y - reach * normal.y()),
+               .step_x = static_cast<float>(normal.x()),
+               .step_y = static_cast<float>(normal.y()),
+               .count = last_ + 1,
+               .grey = {grey_[0].data(), grey_[1].data(), grey_[2].data()}});
   for (int i = 1; i < last_; ++i) {
     float sum = 0;
     for (int c = 0; c < channels_; ++c) sum += square(0.5F * (grey_[c][i + 1] - grey_[c][i - 1]));
     slope_[i] = std::sqrt(sum);
-    region_[i] = 1.0F;
+    region_[i] = 0.0F;
   }
 }
 
@@ -102,7 +93,7 @@ void EdgeLine::compare(const Appearance& appearance, float inside_px, float outs
     }
     greatest = i == 1 ? region_[i] : std::max(greatest, region_[i]);
   }
-  for (int i = 1; i < last_; ++i) region_[i] = std::exp(region_[i] - greatest);
+  for (int i = 1; i < last_; ++i) region_[i] -= greatest;
 }
 
 float EdgeLine::score(int i) const {
@@ -114,7 +105,7 @@ float EdgeLine::score(int i) const {
   }
   // Prefer strong edges, but near ones more.
   const float distance = static_cast<float>(i - middle_) * inv_reach_ / 0.6F;
-  return edge_weight(slope_[i]) * std::exp(-square(distance)) * region_[i];
+  return edge_weight(slope_[i]) * std::exp(region_[i] - square(distance));
 }
 
 float EdgeLine::between(int i) const {
@@ -141,6 +132,8 @@ EdgeLine::Edge EdgeLine::strongest() const {
   }
   return best;
 }
+
+float EdgeLine::agreement() const { return std::exp(region_[middle_]); }
 
 bool EdgeLine::has_edge(int from_px, int to_px) const {
   const int end = std::min(middle_ + to_px, last_ - kMargin);

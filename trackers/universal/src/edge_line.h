@@ -8,6 +8,7 @@
 #include <span>
 
 #include "appearance.h"
+#include "line_kernels.h"
 
 namespace anneal6d {
 
@@ -60,7 +61,7 @@ class EdgeLine {
   bool has_edge(int from_px, int to_px) const;
 
   /// How well colours agree with an edge in the middle, 0..1; 1 without colours.
-  float agreement() const { return region_[middle_]; }
+  float agreement() const;
 
  private:
   static constexpr int kMargin = 3;
@@ -75,9 +76,9 @@ class EdgeLine {
   int channels_, middle_, last_;
   int polarity_ = 0;
   float inv_reach_;
-  std::array<std::array<float, kLongest>, 3> grey_;
+  std::array<std::array<float, kLongest + LineJob::kPadding>, 3> grey_;
   std::array<float, kLongest> slope_;
-  std::array<float, kLongest> region_;  ///< likelihood of the edge at each step, of the greatest
+  std::array<float, kLongest> region_;  ///< log likelihood at each step, 0 at the greatest
 };
 
 }  // namespace anneal6d

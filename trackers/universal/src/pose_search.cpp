@@ -59,7 +59,7 @@ Refiner::Result PoseSearch::run(const Expectation& expected, const Colours& colo
     const Twist strange =
         twist_between(expected.camera_from_center, filter_.to_center(found.camera_from_object))
             .cwiseQuotient(expected.sigma);
-    const double value = found.support - kStrangeness * strange.squaredNorm();
+    const double value = found.support + found.fit - kStrangeness * strange.squaredNorm();
     if (value <= best_value) continue;
     best_value = value;
     best = found;

@@ -2,30 +2,52 @@
 // Copyright (c) 2026 The Anneal6D authors
 #include "region_cue.h"
 
-#include <algorithm>
-#include <array>
-#include <cmath>
+#include <limits>
 
 #include "anneal6d/framework/shading.h"
+#include "region_kernels.h"
 
 namespace anneal6d {
 namespace {
 
-constexpr std::size_t kPoints = 80;
-constexpr std::array<double, 3> kDistances_px = {3.0, 8.0, 16.0};
-constexpr double kClear = 1.0 * Appearance::kScale;  // odds that count as certain
+constexpr std::size_t kPoints = 80;  // of each view's silhouette
+constexpr std::size_t kEntries = 8;  // of a point: place, normal, inside, outside
+constexpr float kClear = 6.0F * Appearance::kScale;
+static_assert(kPoints % ColourJob::kPadding == 0);
 
 }  // namespace
 
 RegionCue::RegionCue(const ViewModel& views, const CameraModel& camera)
-    : views_(views), camera_(camera) {}
+    : views_(views),
+      camera_(camera),
+      silhouettes_(views.views().size() * kEntries * kPoints,
+                   std::numeric_limits<float>::quiet_NaN()) {
+  float* block = silhouettes_.data();
+  for (const ModelView& view : views.views()) {
+    std::size_t count = 0;
+    for (const ContourSample& sample : view.contour) {
+      if (!sample.silhouette) continue;
+      float* entry = block + count;
+      for (const float value :
+           {sample.object_mm.x(), sample.object_mm.y(), sample.object_mm.z(), sample.normal.x(),
+            sample.normal.y(), sample.normal.z(), sample.inside_mm, sample.outside_mm}) {
+        *entry = value;
+        entry += kPoints;
+      }
+      if (++count == kPoints) break;
+    }
+    block += kEntries * kPoints;
+  }
+}
 
 void RegionCue::set_image(const SmoothPicture& picture, const Appearance& appearance) {
+  constexpr std::size_t kReadBehind = 3;  // bytes
   const cv::Mat& smooth = picture.smooth;
   origin_ = picture.origin;
   columns_ = smooth.cols / 2;
   rows_ = smooth.rows / 2;
-  log_odds_.resize(static_cast<std::size_t>(columns_) * static_cast<std::size_t>(rows_));
+  log_odds_.resize(static_cast<std::size_t>(columns_) * static_cast<std::size_t>(rows_) +
+                   kReadBehind);
   const int channels = smooth.channels();
   std::int8_t* out = log_odds_.data();
   for (int y = 0; y < rows_; ++y) {
@@ -36,45 +58,36 @@ void RegionCue::set_image(const SmoothPicture& picture, const Appearance& appear
   }
 }
 
-int RegionCue::log_odds_at(double x_px, double y_px) const {
-  const double column = 0.5 * (x_px - origin_.x), row = 0.5 * (y_px - origin_.y);
-  if (!(column >= 0 && row >= 0 && column < columns_ && row < rows_)) return 0;
-  const int x = static_cast<int>(column), y = static_cast<int>(row);
-  return log_odds_[static_cast<std::size_t>(y) * static_cast<std::size_t>(columns_) +
-                   static_cast<std::size_t>(x)];
-}
-
 double RegionCue::score_one(const Pose& camera_from_object) const {
-  const ModelView& view = views_.seen_from(camera_from_object);
-  const Eigen::Matrix3f rotation = camera_from_object.rotation.toRotationMatrix().cast<float>();
-  const Eigen::Vector3f translation = camera_from_object.translation_mm.cast<float>();
-  const float fx = static_cast<float>(camera_.fx_px), fy = static_cast<float>(camera_.fy_px);
-  double sum = 0;
-  std::size_t used = 0;
-  for (const ContourSample& sample : view.contour) {
-    if (!sample.silhouette) continue;
-    const Eigen::Vector3f p = rotation * sample.object_mm + translation;
-    if (p.z() < kNearPlane_mm) continue;
-    const Eigen::Vector3f n = rotation * sample.normal;
-    const float inv_z = 1.0F / p.z();
-    const float x = fx * p.x() * inv_z + static_cast<float>(camera_.cx_px);
-    const float y = fy * p.y() * inv_z + static_cast<float>(camera_.cy_px);
-    float nx = fx * (n.x() - p.x() * inv_z * n.z()), ny = fy * (n.y() - p.y() * inv_z * n.z());
-    const float length = std::sqrt(nx * nx + ny * ny);
-    nx /= length;
-    ny /= length;
-    const float px_per_mm = length * inv_z;
-    double contrast = 0;
-    for (const double distance : kDistances_px) {
-      const double inside = std::min<double>(distance, sample.inside_mm * px_per_mm);
-      const double outside = std::min<double>(distance, sample.outside_mm * px_per_mm);
-      contrast += log_odds_at(x - inside * nx, y - inside * ny);
-      contrast -= log_odds_at(x + outside * nx, y + outside * ny);
-    }
-    sum += std::clamp(contrast / (2 * kDistances_px.size() * kClear), -1.0, 1.0);
-    if (++used == kPoints) break;
+  const auto index =
+      static_cast<std::size_t>(&views_.seen_from(camera_from_object) - views_.views().data());
+  const float* const block = silhouettes_.data() + index * kEntries * kPoints;
+  ColourJob job{.x = block,
+                .y = block + kPoints,
+                .z = block + 2 * kPoints,
+                .nx = block + 3 * kPoints,
+                .ny = block + 4 * kPoints,
+                .nz = block + 5 * kPoints,
+                .inside = block + 6 * kPoints,
+                .outside = block + 7 * kPoints,
+                .count = kPoints,
+                .rotation = {},
+                .translation_mm = {},
+                .fx = static_cast<float>(camera_.fx_px),
+                .fy = static_cast<float>(camera_.fy_px),
+                .cx = static_cast<float>(camera_.cx_px - origin_.x),
+                .cy = static_cast<float>(camera_.cy_px - origin_.y),
+                .near_mm = static_cast<float>(kNearPlane_mm),
+                .log_odds = log_odds_.data(),
+                .columns = columns_,
+                .rows = rows_,
+                .clear = kClear};
+  const Eigen::Matrix3d rotation = camera_from_object.rotation.toRotationMatrix();
+  for (int i = 0; i < 9; ++i) job.rotation[i] = static_cast<float>(rotation(i / 3, i % 3));
+  for (int i = 0; i < 3; ++i) {
+    job.translation_mm[i] = static_cast<float>(camera_from_object.translation_mm[i]);
   }
-  return used > 0 ? sum / static_cast<double>(used) : 0.0;
+  return compare_colours(job);
 }
 
 void RegionCue::score(std::span<const Pose> camera_from_object, std::span<double> scores) const {

@@ -28,10 +28,10 @@ class RegionCue {
 
  private:
   double score_one(const Pose& camera_from_object) const;
-  int log_odds_at(double x_px, double y_px) const;
 
   const ViewModel& views_;
   CameraModel camera_;
+  std::vector<float> silhouettes_;  ///< of all views, as the kernel wants them
   cv::Point origin_;
   int columns_ = 0, rows_ = 0;
   std::vector<std::int8_t> log_odds_;

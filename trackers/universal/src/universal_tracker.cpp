@@ -198,7 +198,7 @@ class UniversalTracker final : public RigidObjectTracker {
       random.frame = frame_number_ * kPasses + static_cast<std::uint32_t>(pass);
       const Refiner::Result found =
           sight_->search.run(wider, {appearance, weight}, random, camera().fx_px);
-      if (found.support > best.support) best = found;
+      if (found.support + found.fit > best.support + best.fit) best = found;
       wider.sigma *= 2.0;
     }
     if (best.fit < kFitting * usual_fit_) best = best_of_neighbours(best, appearance);
@@ -256,18 +256,15 @@ class UniversalTracker final : public RigidObjectTracker {
   cv::Rect detect_edges_around(const Pose& camera_from_center, double radius_mm) {
     const cv::Rect around = window(camera_from_center, radius_mm, kWindow_px);
     EdgeOptions options = options_.frame_edges;
-    if (!options.threshold) {
-      const EdgeThresholds thresholds = edge_detector_.thresholds(image_(around), options);
-      options.threshold = thresholds.high;
-      options.low_threshold =
-          options.op == EdgeOperator::canny ? std::optional(thresholds.low) : std::nullopt;
-    }
     if (sight_) {
       edge_detector_.detect(image_(around), options, edges_around_);
       edges_.binary.create(image_.size(), CV_8UC1);
       edges_.binary.setTo(0);
       edges_around_.binary.copyTo(edges_.binary(around));
     } else {
+      const EdgeThresholds thresholds = edge_detector_.thresholds(image_(around), options);
+      options.threshold = thresholds.high;
+      if (options.op == EdgeOperator::canny) options.low_threshold = thresholds.low;
       edge_detector_.detect(image_, options, edges_);
     }
     scorer_->set_edges(edges_);
