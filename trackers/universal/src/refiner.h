@@ -31,6 +31,9 @@ class Refiner {
     Pose camera_from_object;
     double support = 0;  ///< 0..1: share of the visible contour that the image confirms
     double fit = 0;      ///< 0..1: the same, of edges that are where they should be to half a pixel
+
+    /// What tells the right pose from others that the image supports as well.
+    double evidence() const { return support + fit; }
   };
 
   /// Starts with a search range of `reach_px` and narrows it. What the edges leave open, such as

@@ -198,7 +198,7 @@ class UniversalTracker final : public RigidObjectTracker {
       random.frame = frame_number_ * kPasses + static_cast<std::uint32_t>(pass);
       const Refiner::Result found =
           sight_->search.run(wider, {appearance, weight}, random, camera().fx_px);
-      if (found.support + found.fit > best.support + best.fit) best = found;
+      if (found.evidence() > best.evidence()) best = found;
       wider.sigma *= 2.0;
     }
     if (best.fit < kFitting * usual_fit_) best = best_of_neighbours(best, appearance);
@@ -210,11 +210,11 @@ class UniversalTracker final : public RigidObjectTracker {
     }
     const double chance = sight_->refiner.chance(best.camera_from_object);
     quality_ = quality_of((best.support - chance) / std::max(1e-6, 1.0 - chance));
-    usual_support_ += kSupportRate * (best.support - usual_support_);
+    usual_support_ += (best.support < usual_support_ ? 0.3 : kSupportRate) * (best.support - usual_support_);
     Pose found = filter_.to_center(best.camera_from_object);
     found.rotation = symmetry_.fold(found.rotation, last.rotation);
     result.camera_from_object = result.best_camera_from_object = filter_.to_object(found);
-    if (quality_ < kLostQuality) {
+    if (quality_ < kLostQuality && bad_frames_ > 0) {
       // Go on searching around the last pose that was confirmed.
       motion_.reset();
       return;
