@@ -17,9 +17,6 @@ constexpr double kLeastSpread_px = 0.15;
 constexpr std::size_t kStarts = 6;   // particles of the first layer that are refined
 constexpr double kApart_rad = 0.07;  // of starts: turn, and shift in radii of the object
 constexpr double kReach_px = 10.0;
-// Evidence that a pose loses for each squared deviation from what was expected: decides between
-// poses that look the same.
-constexpr double kStrangeness = 0.002;
 
 }  // namespace
 
@@ -56,10 +53,8 @@ Refiner::Result PoseSearch::run(const Expectation& expected, const Colours& colo
   for (const Pose& start : starts_) {
     const Refiner::Result found =
         refiner_.refine(filter_.to_object(start), expected_pose, kReach_px, colours.appearance);
-    const Twist strange =
-        twist_between(expected.camera_from_center, filter_.to_center(found.camera_from_object))
-            .cwiseQuotient(expected.sigma);
-    const double value = found.evidence() - kStrangeness * strange.squaredNorm();
+    const double value =
+        found.evidence() - expected.strangeness(filter_.to_center(found.camera_from_object));
     if (value <= best_value) continue;
     best_value = value;
     best = found;

@@ -15,6 +15,13 @@ namespace anneal6d {
 struct Expectation {
   Pose camera_from_center;
   Twist sigma = Twist::Ones();
+
+  /// Evidence that a pose (camera_from_center) loses for being far from what was expected: decides
+  /// between poses that look the same.
+  double strangeness(const Pose& pose) const {
+    constexpr double kEach = 0.002;  // squared deviation
+    return kEach * twist_between(camera_from_center, pose).cwiseQuotient(sigma).squaredNorm();
+  }
 };
 
 /// Looks for the object with an annealed particle filter: layers of particles, rated by edges and

@@ -12,8 +12,9 @@
 namespace anneal6d {
 namespace {
 
-constexpr std::size_t kCoarsePoints = 100;
+constexpr std::size_t kFewPoints = 100;
 constexpr std::size_t kAllPoints = 240;
+constexpr int kCoarseRounds = 2;  // with few points; quick refinements have no others
 constexpr int kRounds = 4;
 constexpr int kPolishingRounds = 2;
 constexpr int kStepsPerRound = 3;
@@ -178,18 +179,19 @@ Pose Refiner::to_center(const Pose& camera_from_object) const {
 
 Refiner::Result Refiner::refine(const Pose& start_camera_from_object,
                                 const Pose& expected_camera_from_object, double reach_px,
-                                const Appearance& appearance) {
+                                const Appearance& appearance, Care care) {
   expected_center_ = to_center(expected_camera_from_object);
   Pose pose = start_camera_from_object;
   double reach = reach_px;
-  for (int round = 0; round < kRounds && !window_.empty(); ++round) {
-    project(pose, views_.seen_from(pose), round + 2 < kRounds ? kCoarsePoints : kAllPoints);
+  const int rounds = care == Care::quick ? kCoarseRounds : kRounds;
+  for (int round = 0; round < rounds && !window_.empty(); ++round) {
+    project(pose, views_.seen_from(pose), round < kCoarseRounds ? kFewPoints : kAllPoints);
     if (targets_.size() < kFewestPoints) break;
     observe(std::clamp(static_cast<int>(std::ceil(reach)), 2, EdgeLine::kMaxReach_px), appearance);
     for (int i = 0; i < kStepsPerRound; ++i) step(pose, reach);
     reach = std::max(kFinestReach_px, 0.5 * reach);
   }
-  return examine(pose, appearance);
+  return examine(pose, appearance, care);
 }
 
 Pose Refiner::polish(const Pose& refined_camera_from_object,
@@ -206,10 +208,12 @@ Pose Refiner::polish(const Pose& refined_camera_from_object,
   return pose;
 }
 
-Refiner::Result Refiner::examine(const Pose& camera_from_object, const Appearance& appearance) {
+Refiner::Result Refiner::examine(const Pose& camera_from_object, const Appearance& appearance,
+                                 Care care) {
   Result result{camera_from_object, 0, 0};
   if (window_.empty()) return result;
-  project(camera_from_object, views_.seen_from(camera_from_object), kAllPoints);
+  project(camera_from_object, views_.seen_from(camera_from_object),
+          care == Care::quick ? kFewPoints : kAllPoints);
   if (targets_.size() < kFewestPoints) return result;
   double confirmed = 0, fitting = 0;
   for (const Target& target : targets_) {

@@ -36,10 +36,13 @@ class Refiner {
     double evidence() const { return support + fit; }
   };
 
+  /// `quick`: fewer points and rounds, to tell good poses from bad ones.
+  enum class Care { quick, full };
+
   /// Starts with a search range of `reach_px` and narrows it. What the edges leave open, such as
   /// the turn of a cup whose handle is hidden, is taken from the expected pose.
   Result refine(const Pose& start_camera_from_object, const Pose& expected_camera_from_object,
-                double reach_px, const Appearance& appearance);
+                double reach_px, const Appearance& appearance, Care care = Care::full);
 
   /// Goes on from a refined pose with `view`, the contour exactly as at that pose.
   Pose polish(const Pose& refined_camera_from_object, const Pose& expected_camera_from_object,
@@ -51,7 +54,8 @@ class Refiner {
   const std::array<Twist, 2>& weak_motions() const { return weak_motions_; }
 
   /// How well the image confirms a pose.
-  Result examine(const Pose& camera_from_object, const Appearance& appearance);
+  Result examine(const Pose& camera_from_object, const Appearance& appearance,
+                 Care care = Care::full);
 
   /// The share of the visible contour that would have an edge near it also where it does not
   /// belong, 0..1: in a cluttered image edges confirm little.

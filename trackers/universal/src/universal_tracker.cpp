@@ -24,14 +24,15 @@ namespace {
 
 constexpr double kDegree = std::numbers::pi / 180.0;
 constexpr double kSure = 0.92;     // of the usual support: there is no need to search
-constexpr double kFitting = 0.88;  // of the usual fit: there is no need to look at neighbours
+constexpr double kFitting = 0.94;  // of the usual fit: there is no need to look at all neighbours
 constexpr double kFitRise = 0.3, kFitFall = 0.03;  // of the newest frame in the usual fit
-constexpr double kNeighbour_px = 4.0, kNeighbourReach_px = 3.0;
+constexpr double kNeighbour_px = 4.0, kNeighbourShift_px = 3.0;
+constexpr double kNeighbourReach_px = 3.0;
 constexpr int kPasses = 3;            // of the search, each twice as wide as the one before
 constexpr double kRegionWeight = 20;  // of the colours beside the edges, as the rating's c
 constexpr double kFirstSupport = 0.8;
-constexpr double kSupportRate = 0.1;  // of the newest frame in the usual support
-constexpr double kWindow_px = 30.0;   // around the object, and three deviations of its motion
+constexpr double kSupportRise = 0.1, kSupportFall = 0.3;  // the same in the usual support
+constexpr double kWindow_px = 30.0;  // around the object, and three deviations of its motion
 constexpr double kLeastReach_px = 6.0, kMostReach_px = 16.0;
 constexpr std::size_t kSmallModel = 4000;  // triangles, drawn in less than a millisecond
 constexpr double kLostQuality = 0.25;
@@ -201,7 +202,7 @@ class UniversalTracker final : public RigidObjectTracker {
       if (found.evidence() > best.evidence()) best = found;
       wider.sigma *= 2.0;
     }
-    if (best.fit < kFitting * usual_fit_) best = best_of_neighbours(best, appearance);
+    best = best_of_neighbours(best, appearance);
     usual_fit_ += (best.fit > usual_fit_ ? kFitRise : kFitFall) * (best.fit - usual_fit_);
     if (sight_->exact) {
       const ModelView view = sight_->exact->painter.paint_contour(best.camera_from_object);
@@ -210,35 +211,55 @@ class UniversalTracker final : public RigidObjectTracker {
     }
     const double chance = sight_->refiner.chance(best.camera_from_object);
     quality_ = quality_of((best.support - chance) / std::max(1e-6, 1.0 - chance));
-    usual_support_ += (best.support < usual_support_ ? 0.3 : kSupportRate) * (best.support - usual_support_);
+    usual_support_ += (best.support > usual_support_ ? kSupportRise : kSupportFall) *
+                      (best.support - usual_support_);
     Pose found = filter_.to_center(best.camera_from_object);
     found.rotation = symmetry_.fold(found.rotation, last.rotation);
     result.camera_from_object = result.best_camera_from_object = filter_.to_object(found);
-    if (quality_ < kLostQuality && bad_frames_ > 0) {
-      // Go on searching around the last pose that was confirmed.
+    const bool confirmed = quality_ >= kLostQuality;
+    if (!confirmed && bad_frames_ > 0) {
+      // Go on searching around the pose of the first bad frame.
       motion_.reset();
       return;
     }
     center_ = found;
     motion_.observe(last, center_);
-    sight_->refiner.teach(result.camera_from_object, *sight_->appearance);
+    if (confirmed) sight_->refiner.teach(result.camera_from_object, *sight_->appearance);
   }
 
   /// The same or a better pose near it: edges side by side, such as the two of a cup's rim, make
-  /// false bottoms, and they lie along the motions that the contour shows least.
+  /// false bottoms. They lie along the motions that the contour shows least and, since either edge
+  /// of a rim is taken for the other, a few pixels aside. A false bottom stays from frame to frame,
+  /// so that each frame looks along one motion only, unless edges fit less closely than usual.
   Refiner::Result best_of_neighbours(const Refiner::Result& refined, const Appearance& appearance) {
-    Refiner::Result best = refined;
+    Refiner& refiner = sight_->refiner;
     const Pose center = filter_.to_center(refined.camera_from_object);
-    const std::array<Twist, 2> motions = sight_->refiner.weak_motions();
-    for (const Twist& motion : motions) {
-      for (const double way_px : {-kNeighbour_px, kNeighbour_px}) {
-        const Pose start = filter_.to_object(moved(center, way_px * motion));
+    const std::array<Twist, 2> weak = refiner.weak_motions();
+    const double shift_mm = kNeighbourShift_px * center.translation_mm.z() / camera().fx_px;
+    const std::array<Twist, 4> motions = {kNeighbour_px * weak[0], shift_mm * Twist::Unit(4),
+                                          kNeighbour_px * weak[1], shift_mm * Twist::Unit(3)};
+    const bool doubtful = refined.fit < kFitting * usual_fit_;
+    Refiner::Result best =
+        refiner.examine(refined.camera_from_object, appearance, Refiner::Care::quick);
+    const auto likely = [&](const Refiner::Result& result) {
+      return result.fit - expected_.strangeness(filter_.to_center(result.camera_from_object));
+    };
+    bool better = false;
+    for (std::size_t i = 0; i < motions.size(); ++i) {
+      if (!doubtful && i != frame_number_ % motions.size()) continue;
+      for (const double side : {-1.0, 1.0}) {
+        const Pose start = filter_.to_object(moved(center, side * motions[i]));
         const Refiner::Result other =
-            sight_->refiner.refine(start, start, kNeighbourReach_px, appearance);
-        if (other.fit > best.fit) best = other;
+            refiner.refine(start, start, kNeighbourReach_px, appearance, Refiner::Care::quick);
+        if (likely(other) <= likely(best)) continue;
+        best = other;
+        better = true;
       }
     }
-    return best;
+    if (!better) return refined;
+    best = refiner.refine(best.camera_from_object, best.camera_from_object, kNeighbourReach_px,
+                          appearance);
+    return likely(best) > likely(refined) ? best : refined;
   }
 
   /// Shows the surroundings of a pose to the refiner.
