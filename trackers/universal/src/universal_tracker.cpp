@@ -199,7 +199,7 @@ class UniversalTracker final : public RigidObjectTracker {
       random.frame = frame_number_ * kPasses + static_cast<std::uint32_t>(pass);
       const Refiner::Result found =
           sight_->search.run(wider, {appearance, weight}, random, camera().fx_px);
-      if (found.evidence() > best.evidence()) best = found;
+      if (found.evidence() - strangeness(found) > best.evidence() - strangeness(best)) best = found;
       wider.sigma *= 2.0;
     }
     best = best_of_neighbours(best, appearance);
@@ -242,7 +242,7 @@ class UniversalTracker final : public RigidObjectTracker {
     Refiner::Result best =
         refiner.examine(refined.camera_from_object, appearance, Refiner::Care::quick);
     const auto likely = [&](const Refiner::Result& result) {
-      return result.fit - expected_.strangeness(filter_.to_center(result.camera_from_object));
+      return result.fit - strangeness(result);
     };
     bool better = false;
     for (std::size_t i = 0; i < motions.size(); ++i) {
@@ -260,6 +260,10 @@ class UniversalTracker final : public RigidObjectTracker {
     best = refiner.refine(best.camera_from_object, best.camera_from_object, kNeighbourReach_px,
                           appearance);
     return likely(best) > likely(refined) ? best : refined;
+  }
+
+  double strangeness(const Refiner::Result& result) const {
+    return expected_.strangeness(filter_.to_center(result.camera_from_object));
   }
 
   /// Shows the surroundings of a pose to the refiner.
