@@ -75,7 +75,7 @@ std::string frame_table(std::span<const BenchTrial> trials) {
       "fast as reference\n"
       "{:<7}{:>10}{:>8}",
       threads_text(trials.front().subject.threads), "edges", "particles", "layers");
-  for (const std::string& scorer : scorers) table += fmt::format("{:>28}", scorer);
+  for (const std::string& scorer : scorers) table += fmt::format("{:>31}", scorer);
   for (const BenchTrial& trial : trials) {
     const BenchSubject& s = trial.subject;
     if (s.mode != "thesis" || s.scorer != scorers.front()) continue;
@@ -83,7 +83,7 @@ std::string frame_table(std::span<const BenchTrial> trials) {
     for (const std::string& scorer : scorers) {
       const BenchTrial& cell = *counterpart(trials, trial, scorer);
       table += fmt::format(
-          "{:>20}{:>8}",
+          "{:>22}{:>9}",
           fmt::format("{:.2f} ({:.2f})", cell.median_ms(kTotalStep), cell.p95_ms(kTotalStep)),
           speed_up(trials, cell, kTotalStep));
     }
@@ -98,7 +98,7 @@ std::string stage_table(std::span<const BenchTrial> trials) {
   for (const BenchTrial& trial : trials) most = std::max(most, effort_of(trial.subject));
   std::string table = fmt::format(
       "Stages of such a frame, median ms\n"
-      "{:<9}{:<7}{:<12}{:>10}{:>8}{:>9}{:>9}{:>9}{:>9}{:>9}{:>14}\n",
+      "{:<9}{:<7}{:<12}{:>10}{:>8}{:>9}{:>11}{:>9}{:>11}{:>11}{:>14}\n",
       "mode", "edges", "scorer", "particles", "layers", "edges", "search", "judge", "total", "95 %",
       "to reference");
   for (const BenchTrial& trial : trials) {
@@ -106,7 +106,7 @@ std::string stage_table(std::span<const BenchTrial> trials) {
     const bool thesis = s.mode == "thesis";
     if (thesis && effort_of(s) < most) continue;
     table += fmt::format(
-        "{:<9}{:<7}{:<12}{:>10}{:>8}{:>9.3f}{:>9.3f}{:>9.3f}{:>9.3f}{:>9.3f}{:>14}\n", s.mode,
+        "{:<9}{:<7}{:<12}{:>10}{:>8}{:>9.3f}{:>11.3f}{:>9.3f}{:>11.3f}{:>11.3f}{:>14}\n", s.mode,
         s.edges, s.scorer, thesis ? std::to_string(s.particles) : "default",
         thesis ? std::to_string(s.layers) : "", trial.median_ms(kEdgesStep),
         trial.median_ms(kSearchStep), trial.median_ms(kJudgeStep), trial.median_ms(kTotalStep),

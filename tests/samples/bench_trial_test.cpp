@@ -99,9 +99,10 @@ TEST(BenchTables, ShowAFrameOfEveryScorerInOneLine) {
   const BenchTrial cpu = measured(subject, steps, {3, 4, 8});
   subject.scorer = "reference";
   const BenchTrial trials[] = {cpu, measured(subject, steps, {40})};
-  EXPECT_THAT(frame_table(trials), HasSubstr("sobel         100       5         4.00 (8.00)   10.0x"
-                                             "       40.00 (40.00)    1.0x\n"));
-  EXPECT_THAT(stage_table(trials), HasSubstr("4.000    8.000         10.0x\n"));
+  EXPECT_THAT(frame_table(trials),
+              HasSubstr("sobel         100       5           4.00 (8.00)    10.0x"
+                        "         40.00 (40.00)     1.0x\n"));
+  EXPECT_THAT(stage_table(trials), HasSubstr("4.000      8.000         10.0x\n"));
 }
 
 TEST(BenchScene, CupHasAsManyTrianglesAsPromised) {
