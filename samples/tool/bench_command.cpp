@@ -169,9 +169,11 @@ Command add_bench_command(CLI::App& tool) {
   app->add_option("--out", options->out, "Where every single time goes; default: nowhere")
       ->type_name("FILE.csv");
   app->footer(
-      "All settings of a table are measured in turn, again and again, so that the times of one run "
-      "can be compared;\ncompare those of two runs with care. Each frame starts at the true pose "
-      "of the one before.");
+      "Give it the machine alone: other programs slow down what takes long more than what is "
+      "quick.\nAll settings of a table are measured in turn, again and again, so that the times of "
+      "one run can be compared;\ncompare those of two runs with care. Each frame starts at the "
+      "true "
+      "pose of the one before.");
   return {app, [options] { return bench(*options); }};
 }
 
