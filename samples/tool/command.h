@@ -19,5 +19,6 @@ Command add_evaluate_command(CLI::App& tool);
 Command add_simulate_command(CLI::App& tool);
 Command add_record_command(CLI::App& tool);
 Command add_list_command(CLI::App& tool);
+Command add_bench_command(CLI::App& tool);
 
 }  // namespace anneal6d

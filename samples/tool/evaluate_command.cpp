@@ -2,6 +2,7 @@
 // Copyright (c) 2026 The Anneal6D authors
 #include <algorithm>
 #include <cstdio>
+#include <map>
 #include <memory>
 #include <nlohmann/json.hpp>
 #include <set>
@@ -11,6 +12,7 @@
 #include "anneal6d/framework/log.h"
 #include "command.h"
 #include "evaluation_run.h"
+#include "html_report.h"
 #include "interrupt.h"
 #include "options.h"
 #include "staged_folder.h"
@@ -88,6 +90,17 @@ nlohmann::ordered_json summary_json(const std::vector<SequenceEvaluation>& evalu
   return {{"sequences", std::move(sequences)}, {"mean", to_json(mean_of(summaries))}};
 }
 
+/// The options as summary.json has them, and the seed, for people.
+std::map<std::string, std::string> options_text(const EvaluationOptions& options) {
+  std::map<std::string, std::string> text;
+  text["seed"] = options.tracking.settings.text("seed").value_or("");
+  const nlohmann::ordered_json json = options_json(options);
+  for (const auto& [name, value] : json.items()) {
+    text[name] = value.is_string() ? value.get<std::string>() : value.dump();
+  }
+  return text;
+}
+
 void write_results(const std::vector<SequenceEvaluation>& evaluations,
                    const EvaluationOptions& options, StagedFolder& folder) {
   for (const SequenceEvaluation& evaluation : evaluations) {
@@ -97,6 +110,8 @@ void write_results(const std::vector<SequenceEvaluation>& evaluations,
     for (const PoseRow& row : evaluation.rows) poses.write(row);
     poses.commit();
   }
+  write_file_atomically(folder.path() / "report.html",
+                        html_report(evaluations, options_text(options)));
   write_file_atomically(folder.path() / kSummaryFile,
                         summary_json(evaluations, options).dump(2) + "\n");
   folder.commit(kSummaryFile);
@@ -108,6 +123,7 @@ int evaluate(EvaluateOptions options) {
   catch_interrupt();
   std::optional<StagedFolder> folder;  // made first: an unwritable one is found out before the work
   if (!options.out.empty()) folder.emplace(options.out);
+  options.evaluation.pictures = folder.has_value();
   const std::vector<SequenceEvaluation> evaluations =
       evaluate_sequences(options.sequences, names, options.evaluation);
   if (folder) {
@@ -141,8 +157,9 @@ Command add_evaluate_command(CLI::App& tool) {
                   "Sequences tracked at the same time, default 1; more make the times longer")
       ->type_name("N")
       ->check(CLI::Range(1, 1024));
-  app->add_option("--out", options->out,
-                  "Folder for summary.json and, for each sequence, poses.csv; default: none")
+  app->add_option(
+         "--out", options->out,
+         "Folder for summary.json, report.html and, for each sequence, poses.csv; default: none")
       ->type_name("DIR");
   app->footer(
       "The pose of the first frame is given, so that frame is not judged; neither are frames "

@@ -3,6 +3,7 @@
 #pragma once
 
 #include <array>
+#include <cstdint>
 #include <nlohmann/json_fwd.hpp>
 #include <span>
 #include <string>
@@ -52,6 +53,9 @@ double quantile(std::vector<double> values, double share);
 struct JudgedFrame {
   PoseError error;
   double milliseconds = 0;  ///< of `track()` alone
+  std::int64_t frame = 0;   ///< its index in the sequence
+  double quality = 0;       ///< that the tracker gave
+  bool restarted = false;   ///< the tracker was reset to the truth afterwards
 };
 
 /// What one sequence came to, or the mean of several.

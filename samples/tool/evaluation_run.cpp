@@ -42,7 +42,6 @@ SequenceEvaluation evaluate_sequence(const std::string& folder, const std::strin
       start_tracker(*job.tracker, options.tracking, truth_of(truth, first->index), *first)));
   progress.advance();
 
-  std::vector<JudgedFrame> judged;
   int restarts = 0;
   while (const std::optional<Frame> frame = job.frames->next()) {
     if (interrupted() || stop) throw Error("interrupted; nothing was written");
@@ -53,15 +52,21 @@ SequenceEvaluation evaluate_sequence(const std::string& folder, const std::strin
     const std::optional<Pose> true_pose = truth_of(truth, frame->index);
     if (!true_pose) continue;
     const PoseError error = pose_error(timed.result.camera_from_object, *true_pose, job.symmetry);
-    judged.push_back({error, timed.milliseconds});
-    if (options.protocol == Protocol::rbot && !error.is_within(kSuccess_mm, kSuccess_deg)) {
+    const bool restart =
+        options.protocol == Protocol::rbot && !error.is_within(kSuccess_mm, kSuccess_deg);
+    evaluation.judged.push_back(
+        {error, timed.milliseconds, frame->index, timed.result.quality, restart});
+    if (restart) {
       reset_to_truth(*job.tracker, *true_pose, *frame);
       ++restarts;
     }
   }
-  evaluation.summary = summarise(name, judged);
+  evaluation.summary = summarise(name, evaluation.judged);
   evaluation.summary.restarts = restarts;
   evaluation.summary.broken_frames = static_cast<double>(job.frames->broken());
+  if (options.pictures) {
+    evaluation.pictures = paint_pictures(job, evaluation.rows, evaluation.judged, truth);
+  }
   return evaluation;
 }
 

@@ -9,6 +9,7 @@
 
 #include "anneal6d/framework/pose_file.h"
 #include "evaluation.h"
+#include "evaluation_pictures.h"
 #include "options.h"
 
 namespace anneal6d {
@@ -27,11 +28,14 @@ struct EvaluationOptions {
   Protocol protocol = Protocol::free;
   std::string reference;  ///< poses to judge against; empty: the sequence's groundtruth.csv
   int jobs = 1;           ///< sequences at the same time
+  bool pictures = false;  ///< some frames are wanted, drawn over
 };
 
 struct SequenceEvaluation {
-  std::vector<PoseRow> rows;
+  std::vector<PoseRow> rows;        ///< of all frames; the first was given
+  std::vector<JudgedFrame> judged;  ///< those of them whose truth is known
   Summary summary;
+  std::vector<EvaluationPicture> pictures;
 };
 
 /// Tracks each folder and judges it. The first frame's pose is given, from `--init` or the ground

@@ -69,9 +69,9 @@ int main(int argc, char** argv) {
   tool.set_version_flag("--version", version, "Print the version and exit");
 
   const anneal6d::Command commands[] = {
-      anneal6d::add_track_command(tool), anneal6d::add_evaluate_command(tool),
+      anneal6d::add_track_command(tool),    anneal6d::add_evaluate_command(tool),
       anneal6d::add_simulate_command(tool), anneal6d::add_record_command(tool),
-      anneal6d::add_list_command(tool)};
+      anneal6d::add_list_command(tool),     anneal6d::add_bench_command(tool)};
   std::string config;
   for (const anneal6d::Command& command : commands) {
     command.app->set_version_flag("--version", version, "Print the version and exit")

@@ -8,6 +8,8 @@
 #include <algorithm>
 #include <atomic>
 #include <cstdio>
+#include <memory>
+#include <utility>
 
 #include "anneal6d/framework/log.h"
 
@@ -78,6 +80,20 @@ void Progress::advance(std::int64_t steps, const std::string& note) {
   std::fprintf(stderr, "\r\x1b[K%s%s", bar.c_str(), line(note).c_str());
   std::fflush(stderr);
   bar_drawn = true;
+}
+
+std::function<void(double)> preparation_progress() {
+  struct Preparing {
+    Progress progress{"preparing the model, percent", 100};
+    std::int64_t percent = 0;
+  };
+  return [preparing = std::shared_ptr<Preparing>()](double share) mutable {
+    if (!preparing) preparing = std::make_shared<Preparing>();
+    const auto now = static_cast<std::int64_t>(100 * share);
+    if (now > preparing->percent) {
+      preparing->progress.advance(now - std::exchange(preparing->percent, now));
+    }
+  };
 }
 
 void log_to_stderr() {

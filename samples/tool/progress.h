@@ -4,6 +4,7 @@
 
 #include <chrono>
 #include <cstdint>
+#include <functional>
 #include <mutex>
 #include <optional>
 #include <string>
@@ -33,6 +34,9 @@ class Progress {
   std::int64_t done_ = 0;
   std::chrono::steady_clock::time_point shown_;
 };
+
+/// For whatever prepares a model and tells the share done (0..1): shows it from the first news on.
+std::function<void(double)> preparation_progress();
 
 /// Sends the library's log to stderr ("warning: ..."), also while a bar is drawn there.
 void log_to_stderr();

@@ -6,7 +6,6 @@
 
 #include <algorithm>
 #include <chrono>
-#include <utility>
 
 #include "anneal6d/framework/error.h"
 #include "anneal6d/framework/log.h"
@@ -93,14 +92,8 @@ TrackingJob open_tracking_job(const std::string& input, const TrackingOptions& o
   }
   job.camera = *camera;
   if (!job.mesh) job.mesh = load_model(model_path(input, options, folder), options.model_unit);
-  std::optional<Progress> preparing;
-  std::int64_t percent = 0;
-  TrackerSetup setup{job.mesh, job.camera, job.symmetry, options.settings, all_scorers(), {}};
-  setup.progress = [&](double share) {
-    if (!preparing) preparing.emplace("preparing the model, percent", 100);
-    const auto now = static_cast<std::int64_t>(100 * share);
-    if (now > percent) preparing->advance(now - std::exchange(percent, now));
-  };
+  const TrackerSetup setup{job.mesh,         job.camera,    job.symmetry,
+                           options.settings, all_scorers(), preparation_progress()};
   job.tracker = make_plugin(all_trackers(options.plugin), "tracker", options.tracker, setup);
   return job;
 }

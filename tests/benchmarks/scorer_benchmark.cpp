@@ -79,10 +79,16 @@ const EdgeOptions kCanny{.op = EdgeOperator::canny, .threshold = 100, .dilation_
 
 // The wall's time: the reference scorer's driver has threads of its own.
 BENCHMARK_CAPTURE(score, cpu_sobel, "cpu", kSobel)->UseRealTime()->Unit(benchmark::kMillisecond);
+BENCHMARK_CAPTURE(score, sparse_sobel, "sparse", kSobel)
+    ->UseRealTime()
+    ->Unit(benchmark::kMillisecond);
 BENCHMARK_CAPTURE(score, reference_sobel, "reference", kSobel)
     ->UseRealTime()
     ->Unit(benchmark::kMillisecond);
 BENCHMARK_CAPTURE(score, cpu_canny, "cpu", kCanny)->UseRealTime()->Unit(benchmark::kMillisecond);
+BENCHMARK_CAPTURE(score, sparse_canny, "sparse", kCanny)
+    ->UseRealTime()
+    ->Unit(benchmark::kMillisecond);
 BENCHMARK_CAPTURE(score, reference_canny, "reference", kCanny)
     ->UseRealTime()
     ->Unit(benchmark::kMillisecond);

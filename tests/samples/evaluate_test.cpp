@@ -4,6 +4,7 @@
 #include <map>
 #include <nlohmann/json.hpp>
 
+#include "anneal6d/framework/atomic_file.h"
 #include "anneal6d/framework/pose_file.h"
 #include "tool_runner.h"
 
@@ -50,6 +51,20 @@ TEST_F(Evaluate, ReportsErrorsAndWritesResults) {
     EXPECT_LT(entry.at("translation_error_mm").at(axis).at("mean").get<double>(), 20) << axis;
   }
   EXPECT_EQ(summary("results").at("mean").at("frames"), 7);
+}
+
+TEST_F(Evaluate, WritesAReportThatStandsAlone) {
+  fs::copy(sequence_, scratch_ / "cup & co", fs::copy_options::recursive);
+  const ProgramRun run = tool("evaluate \"cup & co\" --frames 6 --out results" + fast_);
+  ASSERT_EQ(run.status, 0) << run.err;
+  const std::string page = read_file(scratch_ / "results/report.html");
+  EXPECT_NE(page.find("cup &amp; co"), std::string::npos);
+  EXPECT_NE(page.find("particles&nbsp;<b>60</b>"), std::string::npos);
+  EXPECT_NE(page.find("Reliability"), std::string::npos);
+  EXPECT_NE(page.find("</html>"), std::string::npos);
+  if (page.find("No pictures") != std::string::npos) GTEST_SKIP() << "no OpenGL here";
+  EXPECT_NE(page.find("src=\"data:image/jpeg;base64,/9j/"), std::string::npos);
+  EXPECT_NE(page.find("last: frame 5,"), std::string::npos);
 }
 
 TEST_F(Evaluate, KeepsTheFilesIndexWithAStride) {

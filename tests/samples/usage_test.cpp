@@ -8,7 +8,8 @@ namespace {
 class Usage : public ToolTest {};
 
 TEST_F(Usage, HelpAndVersionOfEachCommandGoToStandardOutput) {
-  for (const char* command : {"", "track ", "evaluate ", "simulate ", "record ", "list "}) {
+  for (const char* command :
+       {"", "track ", "evaluate ", "simulate ", "record ", "list ", "bench "}) {
     const ProgramRun help = tool(std::string(command) + "--help");
     EXPECT_EQ(help.status, 0) << command << help.err;
     EXPECT_NE(help.out.find("--version"), std::string::npos) << command;
@@ -73,9 +74,8 @@ TEST_F(Usage, UnknownNamesListThoseThatExist) {
 TEST_F(Usage, ListShowsPluginsAndCameras) {
   const ProgramRun run = tool("list");
   EXPECT_EQ(run.status, 0) << run.err;
-  for (const char* word :
-       {"trackers", "universal", "scorers", "cpu", "reference", "frame sources", "cameras",
-        "dc1394", "FireWire cameras"}) {
+  for (const char* word : {"trackers", "universal", "scorers", "cpu", "reference", "frame sources",
+                           "cameras", "dc1394", "FireWire cameras"}) {
     EXPECT_NE(run.out.find(word), std::string::npos) << word;
   }
 }
