@@ -27,7 +27,12 @@ struct Corner {
 };
 
 template <bool kTextured>
-void Append(Batch& batch, const Corner& a, const Corner& b, const Corner& c) {
+HWY_INLINE Corner CornerOf(const TriangleJob& job, std::uint32_t vertex) {
+  return {job.vertices[vertex], kTextured ? job.texture_points[vertex] : TexturePoint{}};
+}
+
+template <bool kTextured>
+HWY_INLINE void Append(Batch& batch, const Corner& a, const Corner& b, const Corner& c) {
   int k = 0;
   for (const Corner* corner : {&a, &b, &c}) {
     batch.vertex[k][batch.count] = corner->vertex;
@@ -41,19 +46,16 @@ void Append(Batch& batch, const Corner& a, const Corner& b, const Corner& c) {
 template <bool kTextured>
 void AppendClipped(const TriangleJob& job, const Triangle& t, Batch& batch) {
   constexpr float near = static_cast<float>(kNearPlane_mm);
-  const auto corner = [&](std::uint32_t i) {
-    return Corner{job.vertices[i], kTextured ? job.texture_points[i] : TexturePoint{}};
-  };
   // Everything but x and y is carried in camera space, where it is linear along an edge.
   Corner polygon[4];
   int count = 0;
   for (int c = 0; c < 3; ++c) {
     const std::uint32_t p = t[c], q = t[(c + 1) % 3];
     const float zp = job.camera_z[p], zq = job.camera_z[q];
-    if (zp >= near) polygon[count++] = corner(p);
+    if (zp >= near) polygon[count++] = CornerOf<kTextured>(job, p);
     if ((zp >= near) == (zq >= near)) continue;
     const float s = (near - zp) / (zq - zp);
-    const Corner cp = corner(p), cq = corner(q);
+    const Corner cp = CornerOf<kTextured>(job, p), cq = CornerOf<kTextured>(job, q);
     // Undo the projection of both ends (z may be negative, but not zero: it is then no finite pixel
     // and the triangle is thin air), cut, and project again.
     const auto mixed = [&](float vp, float vq) { return vp + s * (vq - vp); };
@@ -104,11 +106,8 @@ void DrawAll(const TriangleJob& job) {
           continue;
         }
       }
-      for (int c = 0; c < 3; ++c) {
-        batch.vertex[c][batch.count] = job.vertices[t[c]];
-        if constexpr (kTextured) batch.texture[c][batch.count] = job.texture_points[t[c]];
-      }
-      ++batch.count;
+      Append<kTextured>(batch, CornerOf<kTextured>(job, t[0]), CornerOf<kTextured>(job, t[1]),
+                        CornerOf<kTextured>(job, t[2]));
     }
     if (batch.count + 2 * lanes > Batch::kCapacity) DrawBatch<kTextured>(job, batch);
   }
