@@ -132,6 +132,38 @@ TEST(RasterizedBrightness, IsTheSameOnBothSidesOfASurface) {
   EXPECT_EQ(cv::countNonZero(from_front.grey != from_back.grey), 0);
 }
 
+TEST(RasterizedBrightness, StaysBetweenThatOfTheCornersInNeedles) {
+  // So thin that the slopes of the brightness across them are nothing but roundings.
+  std::vector<MeshVertex> vertices;
+  std::vector<Triangle> triangles;
+  for (std::uint32_t i = 0; i < 40000; ++i) {
+    const RandomKey key{.seed = 11, .particle = i};
+    const double x = test::random_between(key, 0, -150, 150), y = -110;
+    const double tip_x = test::random_between(key, 1, -150, 150), tip_y = 110;
+    const double off = std::pow(10.0, test::random_between(key, 2, -5.5, -4));
+    const auto corner = [&](double at_x, double at_y, float albedo) {
+      MeshVertex vertex = test::vertex_at(static_cast<float>(at_x), static_cast<float>(at_y), 0);
+      vertex.normal = {0, 0, -1};
+      vertex.albedo_bgr.setConstant(albedo);
+      vertices.push_back(vertex);
+    };
+    corner(x, y, 0.1F);
+    corner(tip_x, tip_y, 0.2F);
+    corner(0.5 * (x + tip_x) + off, 0.5 * (y + tip_y), 0.3F);
+    triangles.push_back({3 * i, 3 * i + 1, 3 * i + 2});
+  }
+  const auto mesh = std::make_shared<const TriangleMesh>(vertices, triangles);
+  const Drawing drawing = draw(RasterModel(mesh, false), small_camera(), at_depth(300));
+  const cv::Mat drawn = drawing.depth_mm > 0;
+  EXPECT_GT(cv::countNonZero(drawn), 100);
+  double least, most;
+  cv::minMaxLoc(drawing.grey, &least, &most, nullptr, nullptr, drawn);
+  const Shading shading;
+  const double light = 255 * (shading.ambient + shading.diffuse * std::abs(shading.to_light.z()));
+  EXPECT_GE(least, std::floor(0.1 * light));
+  EXPECT_LE(most, std::ceil(0.3 * light));
+}
+
 TEST(RasterizedTexture, IsSampledBilinearlyWithPerspective) {
   cv::Mat texture(16, 24, CV_8UC3);
   cv::RNG random(4);

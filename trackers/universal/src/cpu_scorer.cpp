@@ -21,7 +21,7 @@ namespace {
 /// What one thread works with.
 struct Workspace {
   Rasterizer rasterizer;
-  cv::Mat grey, depth_mm;
+  cv::Mat grey;
   EdgeDetector edge_detector;
   EdgeImage edges;
 };
@@ -33,7 +33,7 @@ class CpuScorer final : public PoseScorer {
         camera_(setup.camera),
         edges_(setup.edges),
         workspaces_([this, shading = setup.shading] {
-          return Workspace{Rasterizer(model_, camera_, shading), {}, {}, {}, {}};
+          return Workspace{Rasterizer(model_, camera_, shading), {}, {}, {}};
         }),
         arena_(setup.threads > 0 ? setup.threads : tbb::task_arena::automatic) {}
 
@@ -68,7 +68,7 @@ class CpuScorer final : public PoseScorer {
     if (region.empty()) return {};
     if (fused) return workspace.rasterizer.count_edges(frame_packed_, edges_);
 
-    workspace.rasterizer.take_images(workspace.grey, workspace.depth_mm);
+    workspace.rasterizer.take_grey(workspace.grey);
     workspace.edge_detector.detect(workspace.grey, edges_, workspace.edges);
     cv::Mat& edges = workspace.edges.binary;
     EdgeMatch match;

@@ -2,37 +2,63 @@
 // Copyright (c) 2026 The Anneal6D authors
 #pragma once
 
+#include <bit>
 #include <cstdint>
 
+#include "anneal6d/framework/pose_scorer.h"
 #include "raster_model.h"
 
 namespace anneal6d {
 
 // The rasterizer's inner loops, compiled for several instruction sets and chosen at run time.
 
-/// Inverse depth is stored as (1/z - inv_far) * scale + 1, which is 1 at the far end of the object
-/// and kMaxDepth at its near end.
-inline constexpr float kMaxDepth = 16777212.0F;  // 24 bits less room for rounding
+/// A pixel of the drawing holds depth and brightness in one word, 0 where there is nothing. Depth
+/// is 1/z mapped linearly so that it grows from kFarDepth at the far end of the object to
+/// kNearDepth at its near end. Between 1 and 2 all floats have the same exponent: their 23 bits of
+/// mantissa, shifted over the 8 of brightness, compare like the numbers, and nothing needs to be
+/// converted. What remains of the range is for roundings.
+inline constexpr float kFarDepth = 1.0F + 1.0F / 64;
+inline constexpr float kNearDepth = 2.0F - 1.0F / 64;
+
+/// The depth, as stored, of a pixel that is not 0.
+inline float depth_of_pixel(std::uint32_t pixel) {
+  return std::bit_cast<float>(0x3F800000U | (pixel >> 8 & 0x7FFFFFU));
+}
+
+/// A vertex on the image: position in pixels, stored depth, brightness 0..255 (0..1 with texture).
+/// Together, since triangles fetch their corners one by one.
+struct ImageVertex {
+  float x, y, depth, grey;
+};
+
+/// Texture coordinates over z, which are linear in the image.
+struct TexturePoint {
+  float u_over_z, v_over_z;
+};
 
 struct VertexJob {
   const RasterModel* model;
   float rotation[9];  ///< camera_from_object, row-major
   float translation_mm[3];
   float fx, fy, cx, cy;
-  float to_light[3];
+  float to_light[3];  ///< object frame
   float ambient, diffuse;
   float inv_far, depth_scale;
-  // Out, one entry a vertex, padded like the model's arrays: position in pixels, stored depth,
-  // brightness 0..255 (0..1 with texture), texture coordinates over z, z in millimetres.
-  float *image_x, *image_y, *depth, *grey, *u_over_z, *v_over_z, *camera_z;
-  // Out: bounds of image_x and image_y.
+  // Out, one entry a vertex, padded like the model's arrays.
+  ImageVertex* vertices;
+  TexturePoint* texture_points;  ///< not written without texture
+  float* camera_z;               ///< millimetres
+  // Out: bounds of x and y.
   float min_x, max_x, min_y, max_y;
 };
 void project_vertices(VertexJob& job);
 
-struct DrawJob {
+struct TriangleJob {
   const RasterModel* model;
-  const float *image_x, *image_y, *depth, *grey, *u_over_z, *v_over_z, *camera_z;
+  const ImageVertex* vertices;
+  const TexturePoint* texture_points;
+  const float* camera_z;
+  float eye_mm[3];  ///< the camera, object frame
   float inv_far, depth_scale;
   float cx, cy;
   bool clip;                   ///< some triangles may cross the near plane
@@ -41,24 +67,38 @@ struct DrawJob {
   std::uint32_t* pixels;       ///< of (x0, y0)
   int stride;
 };
-void draw_triangles(const DrawJob& job);
+void draw_triangles(const TriangleJob& job);
 
-/// Widths of the margins of a brightness row, in entries.
+/// Entries on both sides of a row of brightness that are read or written with it.
 inline constexpr int kRowMargin = 64;
+/// Rows of brightness that are taken at a time; with one above and one below they stay in the
+/// fastest cache.
+inline constexpr int kBandRows = 16;
+/// Pixels behind a row of the drawing that are read or written with it: those of the widest vector.
+inline constexpr int kPixelMargin = 16;
 
-/// One row of edges as bits: where max(|Gx|, |Gy|) > threshold, for `width` pixels; the bits behind
-/// them are zero up to whole words. Rows have their neighbours' values at -1 and `width`;
-/// `center_weight` is 2 for Sobel and 1 for Prewitt.
-struct EdgeRowJob {
-  const std::uint16_t *above, *here, *below;
-  int width;
-  int center_weight;
+/// Takes the brightness out of a drawing, which is cleared, and finds its edges: a bit is set where
+/// max(|Gx|, |Gy|) > threshold. Borders are repeated. A row of bits has whole words; those behind
+/// the last pixel are zero.
+struct EdgeJob {
+  std::uint32_t* pixels;
+  int stride;
+  int width, height;
+  bool sobel;  ///< else Prewitt
   int threshold;
+  std::uint16_t* rows;  ///< for kBandRows + 2 rows of brightness
+  int row_stride;       ///< entries, with a kRowMargin on both sides
   std::uint64_t* bits;
 };
-void find_edge_row(const EdgeRowJob& job);
+void find_edges(const EdgeJob& job);
 
-/// Moves the brightness of a row of the drawing to `row` and clears the drawing.
-void take_row(std::uint32_t* pixels, int width, std::uint16_t* row);
+/// Counts the bits of rows of whole words, and those that the frame has, too.
+struct CountJob {
+  const std::uint64_t* bits;
+  int words, height;
+  const std::uint8_t* frame;    ///< first row, from the byte of the region's first pixel
+  std::ptrdiff_t frame_stride;  ///< bytes
+};
+EdgeMatch count_edge_bits(const CountJob& job);
 
 }  // namespace anneal6d

@@ -68,8 +68,7 @@ RasterModel::RasterModel(std::shared_ptr<const TriangleMesh> source, bool textur
     : mesh(std::move(source)),
       vertex_count(mesh->vertices().size()),
       triangles(mesh->triangles().begin(), mesh->triangles().end()),
-      closed(is_closed(*mesh)),
-      winding(signed_volume(*mesh) > 0 ? 1 : -1) {
+      closed(is_closed(*mesh)) {
   const bool has_texture = textured && mesh->has_texture();
   const Eigen::Vector3f tint = mesh->vertices().front().albedo_bgr;
   const bool one_tint = std::all_of(mesh->vertices().begin(), mesh->vertices().end(),
@@ -91,12 +90,29 @@ RasterModel::RasterModel(std::shared_ptr<const TriangleMesh> source, bool textur
     }
   }
   for (auto* values : {&x, &y, &z, &nx, &ny, &nz, &luma}) pad(*values);
+  if (closed) add_planes();
   if (has_texture) {
     pad(u);
     pad(v);
     const Eigen::Vector3f baked = one_tint ? tint : Eigen::Vector3f::Ones();
     for (const cv::Mat& level : mesh->texture_levels()) textures.push_back(quads_of(level, baked));
   }
+}
+
+void RasterModel::add_planes() {
+  const double outward = signed_volume(*mesh) > 0 ? 1 : -1;
+  for (const Triangle& t : triangles) {
+    const auto corner = [&](int c) -> Eigen::Vector3d {
+      return mesh->vertices()[t[c]].position_mm.cast<double>();
+    };
+    const Eigen::Vector3d normal =
+        outward * (corner(1) - corner(0)).cross(corner(2) - corner(0)).normalized();
+    plane_x.push_back(static_cast<float>(normal.x()));
+    plane_y.push_back(static_cast<float>(normal.y()));
+    plane_z.push_back(static_cast<float>(normal.z()));
+    plane_mm.push_back(static_cast<float>(normal.dot(corner(0))));
+  }
+  for (auto* values : {&plane_x, &plane_y, &plane_z, &plane_mm}) pad(*values);
 }
 
 }  // namespace anneal6d

@@ -24,7 +24,7 @@ struct QuadTexture {
 struct RasterModel {
   RasterModel(std::shared_ptr<const TriangleMesh> mesh, bool textured);
 
-  static constexpr std::size_t kPadding = 64;  ///< entries behind the last vertex, copies of it
+  static constexpr std::size_t kPadding = 64;  ///< entries behind the last one, copies of it
 
   std::shared_ptr<const TriangleMesh> mesh;
   std::size_t vertex_count;
@@ -35,8 +35,12 @@ struct RasterModel {
   std::vector<QuadTexture> textures;  ///< one a level; empty without texture
   /// The surface is closed and wound one way: faces turned away are hidden and can be skipped.
   bool closed;
-  /// Winding of `closed` surfaces: +1 if (b - a) x (c - a) points outward, else -1.
-  int winding;
+  /// Of each triangle of a `closed` surface the plane: a point outside is where its product with
+  /// the unit normal (x, y, z) is larger than `plane_mm`. Empty for open surfaces.
+  std::vector<float> plane_x, plane_y, plane_z, plane_mm;
+
+ private:
+  void add_planes();
 };
 
 /// Brightness of a colour as OpenCV's conversion from BGR has it.

@@ -3,22 +3,12 @@
 #include "rasterizer.h"
 
 #include <algorithm>
-#include <bit>
 #include <cmath>
-#include <cstring>
 
 #include "raster_kernels.h"
 
 namespace anneal6d {
 namespace {
-
-constexpr int kWordsBehindRow = 16;  // the widest vector may be stored at the last pixel
-
-std::uint64_t word_at(const std::uint8_t* bytes) {
-  std::uint64_t word;
-  std::memcpy(&word, bytes, sizeof word);
-  return word;
-}
 
 /// A pixel coordinate as a whole number within a range that no image leaves.
 int whole(float pixels) { return static_cast<int>(std::clamp(pixels, -1e6F, 1e6F)); }
@@ -27,14 +17,13 @@ int whole(float pixels) { return static_cast<int>(std::clamp(pixels, -1e6F, 1e6F
 
 Rasterizer::Rasterizer(const RasterModel& model, const CameraModel& camera, const Shading& shading)
     : model_(model), camera_(camera), shading_(shading) {
-  const std::size_t entries = model.x.size();
-  for (auto* values : {&image_x_, &image_y_, &depth_, &grey_, &camera_z_}) values->resize(entries);
-  u_over_z_.resize(model.u.size());
-  v_over_z_.resize(model.u.size());
+  vertices_.resize(model.x.size());
+  texture_points_.resize(model.u.size());
+  camera_z_.resize(model.x.size());
   const auto width = static_cast<std::size_t>(camera.width_px);
   const auto height = static_cast<std::size_t>(camera.height_px);
-  pixels_.resize((width + 16 + kWordsBehindRow) * height);
-  rows_.resize(3 * (width + 2 * kRowMargin + 64));
+  pixels_.resize((width + 15 + kPixelMargin) * height);
+  rows_.resize((kBandRows + 2) * (width + 2 * kRowMargin));
   bits_.resize((width / 64 + 2) * (height + 1));
 }
 
@@ -49,8 +38,10 @@ Region Rasterizer::draw(const Pose& camera_from_object, int margin_px) {
   const bool clip = nearest_mm < kNearPlane_mm;
   const double near_mm = clip ? kNearPlane_mm : nearest_mm;
   inv_far_ = static_cast<float>(1.0 / far_mm);
-  depth_scale_ = static_cast<float>((kMaxDepth - 1.0F) / (1.0 / near_mm - 1.0 / far_mm));
+  depth_scale_ = static_cast<float>((kNearDepth - kFarDepth) / (1.0 / near_mm - 1.0 / far_mm));
 
+  const Eigen::Vector3f to_light = pose.rotation.conjugate().cast<float>() * shading_.to_light;
+  const Eigen::Vector3f eye_mm = pose.inverse().translation_mm.cast<float>();
   VertexJob vertices{.model = &model_,
                      .rotation = {},
                      .translation_mm = {},
@@ -58,17 +49,13 @@ Region Rasterizer::draw(const Pose& camera_from_object, int margin_px) {
                      .fy = static_cast<float>(camera_.fy_px),
                      .cx = static_cast<float>(camera_.cx_px),
                      .cy = static_cast<float>(camera_.cy_px),
-                     .to_light = {shading_.to_light[0], shading_.to_light[1], shading_.to_light[2]},
+                     .to_light = {to_light[0], to_light[1], to_light[2]},
                      .ambient = shading_.ambient,
                      .diffuse = shading_.diffuse,
                      .inv_far = inv_far_,
                      .depth_scale = depth_scale_,
-                     .image_x = image_x_.data(),
-                     .image_y = image_y_.data(),
-                     .depth = depth_.data(),
-                     .grey = grey_.data(),
-                     .u_over_z = u_over_z_.data(),
-                     .v_over_z = v_over_z_.data(),
+                     .vertices = vertices_.data(),
+                     .texture_points = texture_points_.data(),
                      .camera_z = camera_z_.data(),
                      .min_x = 0,
                      .max_x = 0,
@@ -91,7 +78,7 @@ Region Rasterizer::draw(const Pose& camera_from_object, int margin_px) {
   }
   x0 &= ~7;  // edge bits are read by bytes
   region_ = {x0, y0, x1 - x0, y1 - y0};
-  stride_ = (region_.width + 15) / 16 * 16 + kWordsBehindRow;
+  stride_ = (region_.width + 15) / 16 * 16 + kPixelMargin;
 
   const QuadTexture* texture = nullptr;
   if (!model_.textures.empty()) {
@@ -99,13 +86,10 @@ Region Rasterizer::draw(const Pose& camera_from_object, int margin_px) {
         model_.mesh->texture_level_for(camera_.fx_px / std::max(center_z, kNearPlane_mm)))];
   }
   draw_triangles({.model = &model_,
-                  .image_x = image_x_.data(),
-                  .image_y = image_y_.data(),
-                  .depth = depth_.data(),
-                  .grey = grey_.data(),
-                  .u_over_z = u_over_z_.data(),
-                  .v_over_z = v_over_z_.data(),
+                  .vertices = vertices_.data(),
+                  .texture_points = texture_points_.data(),
                   .camera_z = camera_z_.data(),
+                  .eye_mm = {eye_mm[0], eye_mm[1], eye_mm[2]},
                   .inv_far = inv_far_,
                   .depth_scale = depth_scale_,
                   .cx = vertices.cx,
@@ -126,64 +110,48 @@ EdgeMatch Rasterizer::count_edges(const PackedEdges& frame_edges, const EdgeOpti
   const int words = (width + 63) / 64;
   const int radius = options.dilation_px;
 
-  // Three rows of brightness take turns; outside the image the border is repeated, outside the
-  // region there is background on both sides of its border.
-  const std::size_t row_entries = rows_.size() / 3;
-  const auto row = [&](int y) {
-    return rows_.data() + static_cast<std::size_t>(y % 3) * row_entries + kRowMargin;
-  };
-  const auto fetch = [&](int y) {
-    std::uint16_t* const line = row(y);
-    take_row(pixels_.data() + static_cast<std::size_t>(y) * static_cast<std::size_t>(stride_),
-             width, line);
-    line[-1] = line[0];
-    line[width] = line[width - 1];
-  };
-  const auto bits_of = [&](int y) {
-    return bits_.data() + static_cast<std::size_t>(y) * static_cast<std::size_t>(words);
-  };
-
-  fetch(0);
-  for (int y = 0; y < height; ++y) {
-    if (y + 1 < height) fetch(y + 1);
-    find_edge_row({.above = row(std::max(0, y - 1)),
-                   .here = row(y),
-                   .below = row(std::min(height - 1, y + 1)),
-                   .width = width,
-                   .center_weight = options.op == EdgeOperator::sobel ? 2 : 1,
-                   .threshold = *options.threshold,
-                   .bits = bits_of(y)});
-  }
+  // Outside the image the border is repeated; outside the region there is background on both sides
+  // of its border.
+  find_edges({.pixels = pixels_.data(),
+              .stride = stride_,
+              .width = width,
+              .height = height,
+              .sobel = options.op == EdgeOperator::sobel,
+              .threshold = *options.threshold,
+              .rows = rows_.data(),
+              .row_stride = width + 2 * kRowMargin,
+              .bits = bits_.data()});
   if (radius > 0) dilate_bits(bits_, widened_, width, height, words, radius);
 
-  EdgeMatch match;
-  for (int y = 0; y < height; ++y) {
-    const std::uint8_t* const frame_row = frame_edges.row(region_.y + y) + region_.x / 8;
-    const std::uint64_t* const bits = bits_of(y);
-    for (int word = 0; word < words; ++word) {
-      match.rendered += std::popcount(bits[word]);
-      match.matched += std::popcount(bits[word] & word_at(frame_row + 8 * word));
-    }
+  return count_edge_bits({.bits = bits_.data(),
+                          .words = words,
+                          .height = height,
+                          .frame = frame_edges.row(region_.y) + region_.x / 8,
+                          .frame_stride = 4 * frame_edges.words_a_row()});
+}
+
+void Rasterizer::take_grey(cv::Mat& grey) {
+  grey.create(region_.height, region_.width, CV_8UC1);
+  for (int y = 0; y < region_.height; ++y) {
+    std::uint32_t* const line = row_of_pixels(y);
+    auto* const grey_row = grey.ptr<std::uint8_t>(y);
+    for (int x = 0; x < region_.width; ++x) grey_row[x] = static_cast<std::uint8_t>(line[x]);
+    std::fill_n(line, region_.width, 0U);
   }
-  return match;
 }
 
 void Rasterizer::take_images(cv::Mat& grey, cv::Mat& depth_mm) {
-  grey.create(region_.height, region_.width, CV_8UC1);
   depth_mm.create(region_.height, region_.width, CV_32FC1);
   for (int y = 0; y < region_.height; ++y) {
-    std::uint32_t* const line =
-        pixels_.data() + static_cast<std::size_t>(y) * static_cast<std::size_t>(stride_);
-    auto* const grey_row = grey.ptr<std::uint8_t>(y);
+    const std::uint32_t* const line = row_of_pixels(y);
     auto* const depth_row = depth_mm.ptr<float>(y);
     for (int x = 0; x < region_.width; ++x) {
-      const std::uint32_t pixel = line[x];
-      grey_row[x] = static_cast<std::uint8_t>(pixel & 0xFF);
-      const float stored = static_cast<float>(pixel >> 8);
-      depth_row[x] = pixel == 0 ? 0.0F : 1.0F / ((stored - 1.0F) / depth_scale_ + inv_far_);
+      depth_row[x] = line[x] == 0
+                         ? 0.0F
+                         : 1.0F / ((depth_of_pixel(line[x]) - kFarDepth) / depth_scale_ + inv_far_);
     }
-    std::fill_n(line, region_.width, 0U);
   }
+  take_grey(grey);
 }
 
 }  // namespace anneal6d

@@ -9,6 +9,7 @@
 #include "anneal6d/framework/pose.h"
 #include "anneal6d/framework/pose_scorer.h"
 #include "packed_edges.h"
+#include "raster_kernels.h"
 #include "raster_model.h"
 
 namespace anneal6d {
@@ -24,8 +25,8 @@ struct Region {
 };
 
 /// Draws one pose at a time into the part of the image that the object covers. A pixel holds its
-/// depth and its brightness in one word, nearer being larger, so that the depth test is a maximum.
-/// One rasterizer serves one thread at a time; the model outlives it.
+/// depth and its brightness in one word, nearer being larger, so that the depth test is a maximum
+/// (`raster_kernels.h`). One rasterizer serves one thread at a time; the model outlives it.
 class Rasterizer {
  public:
   Rasterizer(const RasterModel& model, const CameraModel& camera, const Shading& shading);
@@ -41,11 +42,18 @@ class Rasterizer {
   /// at least 1 + options.dilation_px.
   EdgeMatch count_edges(const PackedEdges& frame_edges, const EdgeOptions& options);
 
-  /// Consumes the drawing into images of the region's size: brightness, CV_8UC1, and depth,
-  /// CV_32FC1, millimetres; both 0 where there is no object. (Re)allocated as needed.
+  /// Consumes the drawing into an image of the region's size: brightness, CV_8UC1, 0 where there is
+  /// no object. (Re)allocated as needed.
+  void take_grey(cv::Mat& grey);
+
+  /// The same with depth, CV_32FC1, millimetres, 0 where there is no object.
   void take_images(cv::Mat& grey, cv::Mat& depth_mm);
 
  private:
+  std::uint32_t* row_of_pixels(int y) {
+    return pixels_.data() + static_cast<std::size_t>(y) * static_cast<std::size_t>(stride_);
+  }
+
   const RasterModel& model_;
   CameraModel camera_;
   Shading shading_;
@@ -55,9 +63,10 @@ class Rasterizer {
   std::vector<std::uint32_t> pixels_;  // all zero but between draw and consumption
   float inv_far_ = 0, depth_scale_ = 1;
 
-  // Vertices on the image, see raster_kernels.h.
-  std::vector<float> image_x_, image_y_, depth_, grey_, u_over_z_, v_over_z_, camera_z_;
-  std::vector<std::uint16_t> rows_;  // three rows of brightness with margins
+  std::vector<ImageVertex> vertices_;
+  std::vector<TexturePoint> texture_points_;
+  std::vector<float> camera_z_;
+  std::vector<std::uint16_t> rows_;  // a band of brightness, see EdgeJob
   std::vector<std::uint64_t> bits_, widened_;
 };
 
