@@ -38,8 +38,7 @@ TrackerSetup setup_for(const SharedMesh& mesh, const Values& values) {
 
 std::unique_ptr<RigidObjectTracker> make_tracker(const Values& values = {},
                                                  const SharedMesh& mesh = box()) {
-  if (mesh == box())
-    return make_plugin(tracker_plugins(), "tracker", "universal", setup_for(mesh, values));
+  return make_plugin(tracker_plugins(), "tracker", "universal", setup_for(mesh, values));
 }
 
 /// Frames of an object that somebody moves smoothly, and where it truly was.
