@@ -13,7 +13,7 @@ namespace {
 constexpr float kFaintest = 2.5F;     // grey levels a pixel: weaker slopes are no edge
 constexpr float kPixelWeight = 0.5F;  // pixels beside each other show the same
 
-float squared(float x) { return x * x; }
+float square(float x) { return x * x; }
 
 /// Cameras mix light within a pixel and encode the mixture afterwards, so that the slope of grey
 /// levels across a step from level a to level b is centred off the step, on its dark side, by up to
@@ -77,7 +77,7 @@ EdgeLine::EdgeLine(const SmoothPicture& picture, const Eigen::Vector2d& middle_p
   }
   for (int i = 1; i < last_; ++i) {
     float sum = 0;
-    for (int c = 0; c < channels_; ++c) sum += squared(0.5F * (grey_[c][i + 1] - grey_[c][i - 1]));
+    for (int c = 0; c < channels_; ++c) sum += square(0.5F * (grey_[c][i + 1] - grey_[c][i - 1]));
     slope_[i] = std::sqrt(sum);
     region_[i] = 1.0F;
   }
@@ -114,7 +114,7 @@ float EdgeLine::score(int i) const {
   }
   // Prefer strong edges, but near ones more.
   const float distance = static_cast<float>(i - middle_) * inv_reach_ / 0.6F;
-  return edge_weight(slope_[i]) * std::exp(-squared(distance)) * region_[i];
+  return edge_weight(slope_[i]) * std::exp(-square(distance)) * region_[i];
 }
 
 float EdgeLine::between(int i) const {
