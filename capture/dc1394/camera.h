@@ -14,6 +14,9 @@
 
 namespace anneal6d::dc1394 {
 
+/// The bit by which a register says that what it controls is there (IIDC 1.31).
+inline constexpr std::uint32_t kPresent = 0x80000000U;
+
 /// Sixteen hexadecimal digits.
 std::string guid_text(std::uint64_t guid);
 

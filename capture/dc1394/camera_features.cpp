@@ -11,7 +11,7 @@
 namespace anneal6d::dc1394 {
 namespace {
 
-using Mode = Dc1394FeatureSetting::Mode;
+using FeatureMode = Dc1394FeatureSetting::Mode;
 
 // Names of the settings, units of the absolute values (IIDC 1.31, 4.7) and how many of the unit
 // that we show make one of IIDC's.
@@ -108,22 +108,22 @@ class Limits {
     const bool manual = has(DC1394_FEATURE_MODE_MANUAL);
     bool allowed_here = false;
     switch (setting.mode) {
-      case Mode::off:
+      case FeatureMode::off:
         allowed_here = switchable();
         break;
-      case Mode::automatic:
+      case FeatureMode::automatic:
         allowed_here = has(DC1394_FEATURE_MODE_AUTO);
         break;
-      case Mode::one_push:
+      case FeatureMode::one_push:
         allowed_here = has(DC1394_FEATURE_MODE_ONE_PUSH_AUTO);
         break;
-      case Mode::manual:
+      case FeatureMode::manual:
         allowed_here =
             manual && std::all_of(setting.raw.begin(), setting.raw.end(), [&](int raw) {
               return raw >= static_cast<int>(info_.min) && raw <= static_cast<int>(info_.max);
             });
         break;
-      case Mode::absolute:
+      case FeatureMode::absolute:
         allowed_here = manual && absolute() && in_range(setting.absolute);
         break;
     }
@@ -181,24 +181,24 @@ void apply_feature(const Camera& camera, const std::string& name,
     refuse_setting(camera, name, setting.text, objection);
   }
   if (limits.switchable()) {
-    const dc1394switch_t on = setting.mode == Mode::off ? DC1394_OFF : DC1394_ON;
+    const dc1394switch_t on = setting.mode == FeatureMode::off ? DC1394_OFF : DC1394_ON;
     check(dc1394_feature_set_power(camera.get(), feature.id, on), camera.name(), "switch " + name);
   }
   switch (setting.mode) {
-    case Mode::off:
+    case FeatureMode::off:
       return;
-    case Mode::automatic:
+    case FeatureMode::automatic:
       set_mode(camera, feature, DC1394_FEATURE_MODE_AUTO);
       return;
-    case Mode::one_push:
+    case FeatureMode::one_push:
       set_mode(camera, feature, DC1394_FEATURE_MODE_ONE_PUSH_AUTO);
       return;
-    case Mode::manual:
+    case FeatureMode::manual:
       if (limits.absolute()) set_absolute_control(camera, feature, DC1394_OFF);
       if (limits.info().modes.num > 0) set_mode(camera, feature, DC1394_FEATURE_MODE_MANUAL);
       set_raw(camera, feature, setting.raw);
       return;
-    case Mode::absolute:
+    case FeatureMode::absolute:
       set_mode(camera, feature, DC1394_FEATURE_MODE_MANUAL);
       set_absolute_control(camera, feature, DC1394_ON);
       check(dc1394_feature_set_absolute_value(camera.get(), feature.id,

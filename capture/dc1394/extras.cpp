@@ -11,8 +11,6 @@
 namespace anneal6d::dc1394 {
 namespace {
 
-constexpr std::uint32_t kPresent = 0x80000000U;
-
 // IIDC 1.31, 4.6 and chapter 5.
 constexpr std::uint64_t kStrobeInquiry = 0x100, kStrobeControl = 0x200;
 constexpr std::uint32_t kStrobeOn = 0x02000000U, kStrobeHigh = 0x01000000U;

@@ -7,7 +7,6 @@
 namespace anneal6d::dc1394 {
 namespace {
 
-constexpr std::uint32_t kPresent = 0x80000000U;
 constexpr std::uint64_t kTriggerControl = 0x830;
 constexpr std::uint32_t kTriggerParameter = 0x00000FFFU;
 

@@ -9,6 +9,7 @@
 
 #include "anneal6d/framework/error.h"
 #include "anneal6d/framework/number.h"
+#include "size_text.h"
 
 namespace anneal6d {
 namespace {
@@ -66,10 +67,6 @@ std::unique_ptr<cv::VideoCapture> open_device(int number) {
         (kHasDeviceFiles ? existing_cameras(list_cameras()) : "try another number"));
   }
   return device;
-}
-
-std::string size_text(const cv::Size& size) {
-  return std::to_string(size.width) + "x" + std::to_string(size.height);
 }
 
 cv::Size calibrated_size(const CameraModel& camera) { return {camera.width_px, camera.height_px}; }

@@ -6,15 +6,12 @@
 
 #include "anneal6d/framework/error.h"
 #include "image_file.h"
+#include "size_text.h"
 
 namespace anneal6d {
 namespace {
 
-constexpr double kFramesPerSecond = 30;
-
-std::string size_text(const cv::Size& size) {
-  return std::to_string(size.width) + "x" + std::to_string(size.height);
-}
+constexpr double kSequenceFramesPerSecond = 30;
 
 }  // namespace
 
@@ -37,7 +34,7 @@ std::optional<Frame> SequenceSource::next() {
   frame.image = read_image(path);
   check_size(path, frame.image);
   frame.index = index;
-  frame.timestamp_s = static_cast<double>(index) / kFramesPerSecond;
+  frame.timestamp_s = static_cast<double>(index) / kSequenceFramesPerSecond;
   return frame;
 }
 

@@ -20,7 +20,7 @@
 namespace anneal6d {
 namespace {
 
-constexpr double kFramesPerSecond = 30;
+constexpr double kSimulatedFramesPerSecond = 30;
 constexpr int kExposures = 9;         // views averaged for motion blur
 constexpr double kStartHeight = 0.4;  // of the image, covered by the object's diameter
 constexpr double kMovingLightPeriod = 120;
@@ -185,7 +185,7 @@ std::optional<Frame> SimulationSource::next() {
   if (position_ >= options_.frames) return std::nullopt;
   Frame frame;
   frame.index = position_++;
-  frame.timestamp_s = static_cast<double>(frame.index) / kFramesPerSecond;
+  frame.timestamp_s = static_cast<double>(frame.index) / kSimulatedFramesPerSecond;
 
   draw_object(frame.index);
   const double brightness = brightness_of(options_.light, frame.index);

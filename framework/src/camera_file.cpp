@@ -22,7 +22,7 @@ namespace {
 namespace fs = std::filesystem;
 
 // Calibration patterns seen by OpenCV's own calibration program make files of some 100 kB.
-constexpr std::size_t kMaxFileSize = std::size_t{16} << 20;
+constexpr std::size_t kMaxCameraFileSize = std::size_t{16} << 20;
 
 /// Fills in fx, fy, cx, cy. Empty, or what is wrong with the matrix.
 std::string set_matrix(CameraModel& camera, std::span<const double> k) {
@@ -171,7 +171,7 @@ std::string matrix_text(const std::string& key, int rows, std::span<const double
 }  // namespace
 
 CameraModel load_camera(const fs::path& path) {
-  const std::string content = read_file(path, kMaxFileSize);
+  const std::string content = read_file(path, kMaxCameraFileSize);
   const TextTokens tokens(path, content);
   if (tokens.at_end()) throw FileError(path, "", "is empty; a camera calibration is expected");
   const bool is_yaml = content.starts_with("%YAML") ||

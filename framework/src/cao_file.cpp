@@ -18,10 +18,9 @@ namespace {
 
 namespace fs = std::filesystem;
 
-constexpr std::size_t kMaxFileSize = std::size_t{4} << 20;
-constexpr int kMaxDepth = 8;                   // of files that load files
+constexpr std::size_t kMaxCaoFileSize = std::size_t{4} << 20;
+constexpr int kMaxFileDepth = 8;               // of files that load files
 constexpr int kMaxFiles = 256;                 // in all
-constexpr std::size_t kMaxCorners = 512;       // of one face: cutting it takes quadratic time
 constexpr std::size_t kMaxRoundParts = 10000;  // cylinders and circles of one file
 constexpr std::uint32_t kSegments = 48;        // of a circle
 
@@ -79,10 +78,10 @@ void skip_options(TextTokens& tokens, int line) {
 }
 
 void CaoReader::read(const fs::path& path, int depth) {
-  if (depth > kMaxDepth || ++files_ > kMaxFiles) {
+  if (depth > kMaxFileDepth || ++files_ > kMaxFiles) {
     throw FileError(path, "", "is loaded too deep or too often; does a file load itself?");
   }
-  const std::string content = read_file(path, kMaxFileSize);
+  const std::string content = read_file(path, kMaxCaoFileSize);
   TextTokens tokens(path, content, '#');
   if (tokens.peek() != "V1") {
     tokens.fail_at_next(excerpt(tokens.peek()) +

@@ -20,7 +20,7 @@ namespace fs = std::filesystem;
 // A binary file: "glTF", version, length of the file; then two chunks of length, type and content.
 constexpr std::size_t kChunkAt = 12;
 constexpr std::size_t kChunkHeader = 8;
-constexpr int kMaxDepth = 64;  // of lists and objects in each other
+constexpr int kMaxJsonDepth = 64;  // of lists and objects in each other
 constexpr std::size_t kMaxNumber = std::size_t{1} << 32;
 
 struct Component {
@@ -116,7 +116,7 @@ std::string_view GltfDocument::split_binary(std::string_view content) {
 
 void GltfDocument::parse(std::string_view text, std::size_t text_at) {
   const auto check_depth = [&](int depth, Json::parse_event_t, Json&) {
-    if (depth > kMaxDepth) fail("", "the JSON is nested too deeply");
+    if (depth > kMaxJsonDepth) fail("", "the JSON is nested too deeply");
     return true;
   };
   try {

@@ -17,7 +17,7 @@ namespace {
 
 namespace fs = std::filesystem;
 
-constexpr std::size_t kMaxFileSize = std::size_t{16} << 20;
+constexpr std::size_t kMaxMtlFileSize = std::size_t{16} << 20;
 
 /// Position of the file's name behind the options of map_Kd.
 std::size_t skip_options(const Statements& line) {
@@ -64,7 +64,7 @@ Eigen::Vector3f Material::albedo_bgr() const {
 }
 
 std::map<std::string, Material, std::less<>> load_mtl(const fs::path& path) {
-  const std::string content = read_file(path, kMaxFileSize);
+  const std::string content = read_file(path, kMaxMtlFileSize);
   std::map<std::string, Material, std::less<>> materials;
   Material* current = nullptr;
   for (Statements line(path, content); line.next();) {

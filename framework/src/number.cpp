@@ -8,7 +8,7 @@
 namespace anneal6d {
 namespace {
 
-std::string_view trimmed(std::string_view text) {
+std::string_view without_blanks(std::string_view text) {
   constexpr std::string_view kBlanks = " \t\r\n";
   const auto first = text.find_first_not_of(kBlanks);
   if (first == std::string_view::npos) return {};
@@ -20,7 +20,7 @@ std::string_view trimmed(std::string_view text) {
 
 template <class Number>
 std::optional<Number> parse(std::string_view text) {
-  text = trimmed(text);
+  text = without_blanks(text);
   Number value{};
   const char* const end = text.data() + text.size();
   const auto [stop, error] = std::from_chars(text.data(), end, value);

@@ -26,7 +26,6 @@ namespace {
 
 namespace fs = std::filesystem;
 
-constexpr std::size_t kMaxCorners = 512;  // of one face: cutting it takes quadratic time
 // Statements that say nothing about the surface.
 constexpr std::array<std::string_view, 16> kIgnored = {
     "o",     "g",        "s",        "l",          "p",         "vp",     "mg",     "lod",

@@ -21,8 +21,6 @@ namespace {
 
 namespace fs = std::filesystem;
 
-constexpr std::size_t kMaxCorners = 512;  // of one face: cutting it takes quadratic time
-
 class PlyReader {
  public:
   PlyReader(const fs::path& path, std::string_view content) : path_(path), values_(path, content) {}

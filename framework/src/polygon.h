@@ -4,6 +4,7 @@
 
 #include <Eigen/Core>
 #include <array>
+#include <cstddef>
 #include <cstdint>
 #include <optional>
 #include <span>
@@ -12,6 +13,9 @@
 #include "anneal6d/framework/triangle_mesh.h"
 
 namespace anneal6d {
+
+/// The readers take no face of more corners: cutting takes quadratic time.
+inline constexpr std::size_t kMaxCorners = 512;
 
 /// Cuts a flat, possibly concave polygon into triangles of its corners' positions 0, 1, ... by
 /// clipping ears. Corners that bend nowhere may be left out. Empty if there is no way: fewer than

@@ -19,7 +19,7 @@ namespace {
 
 namespace fs = std::filesystem;
 
-constexpr std::size_t kMaxFileSize = std::size_t{256} << 20;
+constexpr std::size_t kMaxPoseFileSize = std::size_t{256} << 20;
 constexpr double kUnitTolerance = 1e-3;  // of a quaternion's length
 constexpr std::string_view kPoseColumns = "frame,tx,ty,tz,qw,qx,qy,qz";
 constexpr std::string_view kRowColumns =
@@ -74,7 +74,7 @@ std::string pose_row(std::int64_t frame, const Pose& pose) {
 }  // namespace
 
 std::map<std::int64_t, Pose> load_poses(const fs::path& path) {
-  const std::string content = read_file(path, kMaxFileSize);
+  const std::string content = read_file(path, kMaxPoseFileSize);
   std::string_view rest = content;
   constexpr std::string_view kByteOrderMark = "\xEF\xBB\xBF";
   if (rest.starts_with(kByteOrderMark)) rest.remove_prefix(kByteOrderMark.size());

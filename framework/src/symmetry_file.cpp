@@ -17,7 +17,7 @@ namespace {
 namespace fs = std::filesystem;
 using Json = nlohmann::json;
 
-constexpr std::size_t kMaxFileSize = std::size_t{16} << 20;
+constexpr std::size_t kMaxSymmetryFileSize = std::size_t{16} << 20;
 constexpr double kTolerance = 1e-3;  // of a unit length, of an orthonormal matrix
 
 [[noreturn]] void fail(const fs::path& path, const std::string& place, const std::string& what) {
@@ -88,7 +88,7 @@ Symmetry symmetry_from(const Json& json, const fs::path& path) {
 }  // namespace
 
 Symmetry load_symmetry(const fs::path& meta_json) {
-  const std::string content = read_file(meta_json, kMaxFileSize);
+  const std::string content = read_file(meta_json, kMaxSymmetryFileSize);
   Json meta;
   try {
     meta = Json::parse(content);

@@ -11,7 +11,7 @@ namespace anneal6d {
 namespace {
 
 constexpr std::string_view kLineEnds = "\r\n";
-constexpr std::string_view kBlanks = " \t\v\f\r\n";
+constexpr std::string_view kTokenBlanks = " \t\v\f\r\n";
 
 }  // namespace
 
@@ -32,13 +32,13 @@ void TextTokens::find_next(std::size_t from) {
       ++line_;
     } else if (comment_ != 0 && c == comment_) {
       begin_ = end_of_line(begin_) - 1;
-    } else if (kBlanks.find(c) == std::string_view::npos) {
+    } else if (kTokenBlanks.find(c) == std::string_view::npos) {
       break;
     }
   }
   begin_ = std::min(begin_, content_.size());
   end_ = begin_;
-  while (end_ < content_.size() && kBlanks.find(content_[end_]) == std::string_view::npos &&
+  while (end_ < content_.size() && kTokenBlanks.find(content_[end_]) == std::string_view::npos &&
          (comment_ == 0 || content_[end_] != comment_)) {
     ++end_;
   }

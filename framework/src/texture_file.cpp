@@ -10,15 +10,15 @@
 namespace anneal6d {
 namespace {
 
-constexpr std::size_t kMaxFileSize = std::size_t{256} << 20;
-constexpr int kMaxSize_px = 16384;
+constexpr std::size_t kMaxTextureFileSize = std::size_t{256} << 20;
+constexpr int kMaxTextureSize_px = 16384;
 
 }  // namespace
 
 cv::Mat decode_texture(std::span<const unsigned char> bytes, const std::filesystem::path& path,
                        const std::string& place) {
   cv::Mat texture;
-  if (!bytes.empty() && bytes.size() <= kMaxFileSize) {
+  if (!bytes.empty() && bytes.size() <= kMaxTextureFileSize) {
     const cv::Mat encoded(1, static_cast<int>(bytes.size()), CV_8UC1,
                           const_cast<unsigned char*>(bytes.data()));
     try {
@@ -30,7 +30,7 @@ cv::Mat decode_texture(std::span<const unsigned char> bytes, const std::filesyst
   if (texture.empty()) {
     throw FileError(path, place, "the texture is damaged or no image; save it as PNG, JPEG or BMP");
   }
-  if (texture.cols > kMaxSize_px || texture.rows > kMaxSize_px) {
+  if (texture.cols > kMaxTextureSize_px || texture.rows > kMaxTextureSize_px) {
     throw FileError(path, place,
                     "the texture has " + std::to_string(texture.cols) + "x" +
                         std::to_string(texture.rows) +
@@ -40,7 +40,7 @@ cv::Mat decode_texture(std::span<const unsigned char> bytes, const std::filesyst
 }
 
 cv::Mat load_texture(const std::filesystem::path& path) {
-  const std::string content = read_file(path, kMaxFileSize);
+  const std::string content = read_file(path, kMaxTextureFileSize);
   return decode_texture({reinterpret_cast<const unsigned char*>(content.data()), content.size()},
                         path);
 }

@@ -12,12 +12,12 @@
 namespace anneal6d {
 namespace {
 
-constexpr std::string_view kBlanks = " \t\r";
+constexpr std::string_view kYamlBlanks = " \t\r";
 
 std::string_view trimmed(std::string_view text) {
-  const auto first = text.find_first_not_of(kBlanks);
+  const auto first = text.find_first_not_of(kYamlBlanks);
   if (first == std::string_view::npos) return {};
-  return text.substr(first, text.find_last_not_of(kBlanks) - first + 1);
+  return text.substr(first, text.find_last_not_of(kYamlBlanks) - first + 1);
 }
 
 /// The line up to a comment: '#' at its start or after a blank, outside quotes.
@@ -29,7 +29,7 @@ std::string_view without_comment(std::string_view line) {
       if (c == quote) quote = 0;
     } else if (c == '"' || c == '\'') {
       quote = c;
-    } else if (c == '#' && (i == 0 || kBlanks.find(line[i - 1]) != std::string_view::npos)) {
+    } else if (c == '#' && (i == 0 || kYamlBlanks.find(line[i - 1]) != std::string_view::npos)) {
       return line.substr(0, i);
     }
   }
@@ -39,14 +39,15 @@ std::string_view without_comment(std::string_view line) {
 /// Position of the colon that ends a key, npos if the line does not begin with one.
 std::size_t find_colon(std::string_view text) {
   for (auto at = text.find(':'); at != std::string_view::npos; at = text.find(':', at + 1)) {
-    if (at + 1 == text.size() || kBlanks.find(text[at + 1]) != std::string_view::npos) return at;
+    if (at + 1 == text.size() || kYamlBlanks.find(text[at + 1]) != std::string_view::npos)
+      return at;
   }
   return std::string_view::npos;
 }
 
 std::string_view without_tag(std::string_view text) {
   if (!text.starts_with('!')) return text;
-  return trimmed(text.substr(std::min(text.find_first_of(kBlanks), text.size())));
+  return trimmed(text.substr(std::min(text.find_first_of(kYamlBlanks), text.size())));
 }
 
 std::string_view unquoted(std::string_view text) {
@@ -92,7 +93,7 @@ void YamlValues::add_line(std::string_view line, int number) {
     return;
   }
 
-  const std::size_t indent = line.find_first_not_of(kBlanks);
+  const std::size_t indent = line.find_first_not_of(kYamlBlanks);
   if (text.starts_with("- ") || text == "-") {
     // An item of a list that is written line by line; it belongs to the key above.
     if (last_ == nullptr) fail_here("a list item without a key above it");

@@ -5,7 +5,6 @@
 #include <gtest/gtest.h>
 
 #include <algorithm>
-#include <limits>
 #include <opencv2/core.hpp>
 #include <ostream>
 
@@ -13,6 +12,7 @@
 #include "anneal6d/framework/rating.h"
 #include "anneal6d/trackers/universal_tracker.h"
 #include "scorer_cases.h"
+#include "special_numbers.h"
 
 namespace anneal6d {
 
@@ -26,11 +26,11 @@ std::ostream& operator<<(std::ostream& stream, const EdgeMatch& match) {
 
 namespace {
 
+using test::kInfinity;
+using test::kNaN;
 using test::Placement;
 using test::scores;
 
-constexpr double kNaN = std::numeric_limits<double>::quiet_NaN();
-constexpr double kInfinity = std::numeric_limits<double>::infinity();
 constexpr EdgeMatch kNothing{0, 0};
 
 Pose at(double x_mm, double y_mm, double z_mm) {

@@ -19,7 +19,6 @@ constexpr std::uint32_t kStrobeBase = 0x1300;
 constexpr std::uint32_t kPioBase = 0x1600;
 constexpr std::uint32_t kTableBase = 0x80000;  // look-up table: control, then its entries
 constexpr std::uint32_t kTableEntries = 0x82000;
-constexpr std::uint32_t kPresent = 0x80000000U;
 
 // Quadlet offsets from the start of the register space, as inquiries give them.
 constexpr std::uint32_t quadlet_offset(std::uint32_t from_base) {

@@ -12,6 +12,9 @@
 
 namespace anneal6d::emulated {
 
+/// Bit 0 of IIDC 1.31, the highest: there, or on.
+inline constexpr std::uint32_t kPresent = 0x80000000U;
+
 /// What the registers say of the pictures to send.
 struct PictureFormat {
   int width = 0;

@@ -11,7 +11,6 @@
 namespace anneal6d::emulated {
 namespace {
 
-constexpr std::uint32_t kPresent = 0x80000000U;
 constexpr std::uint32_t kUnitBytes = 4;
 constexpr std::uint32_t kMostBytes = 4096;
 constexpr std::uint32_t kWrongSettings = 0x00800000U;

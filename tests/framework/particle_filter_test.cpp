@@ -7,17 +7,17 @@
 #include <Eigen/Core>
 #include <algorithm>
 #include <cmath>
-#include <limits>
 #include <numeric>
 #include <string>
 
 #include "parameter_names.h"
+#include "special_numbers.h"
 
 namespace anneal6d {
 namespace {
 
-constexpr double kInfinity = std::numeric_limits<double>::infinity();
-constexpr double kNaN = std::numeric_limits<double>::quiet_NaN();
+using test::kInfinity;
+using test::kNaN;
 
 /// A filter of another state than a pose: a point in the plane that follows a target seen with
 /// Gaussian noise.

@@ -6,20 +6,20 @@
 
 #include <array>
 #include <cmath>
-#include <limits>
-#include <numbers>
 #include <vector>
 
 #include "anneal6d/framework/error.h"
 #include "anneal6d/framework/random.h"
+#include "special_numbers.h"
 
 namespace anneal6d {
 namespace {
 
-constexpr double kPi = std::numbers::pi;
+using test::kInfinity;
+using test::kNaN;
+using test::kPi;
+
 constexpr double kDegree = kPi / 180.0;
-constexpr double kNaN = std::numeric_limits<double>::quiet_NaN();
-constexpr double kInfinity = std::numeric_limits<double>::infinity();
 
 double distance(const Eigen::Vector3d& a, const Eigen::Vector3d& b) { return (a - b).norm(); }
 

@@ -11,11 +11,12 @@
 #include "anneal6d/framework/error.h"
 #include "anneal6d/framework/random.h"
 #include "parameter_names.h"
+#include "special_numbers.h"
 
 namespace anneal6d {
 namespace {
 
-constexpr double kInfinity = std::numeric_limits<double>::infinity();
+using test::kInfinity;
 
 std::vector<double> rated(const RatingOptions& options, const std::vector<EdgeMatch>& matches) {
   std::vector<double> log_likelihoods(matches.size(), 123.0);

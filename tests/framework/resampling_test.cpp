@@ -6,17 +6,17 @@
 
 #include <algorithm>
 #include <cmath>
-#include <limits>
 #include <numeric>
 #include <vector>
 
 #include "parameter_names.h"
+#include "special_numbers.h"
 
 namespace anneal6d {
 namespace {
 
-constexpr double kInfinity = std::numeric_limits<double>::infinity();
-constexpr double kNaN = std::numeric_limits<double>::quiet_NaN();
+using test::kInfinity;
+using test::kNaN;
 
 std::vector<int> frequencies(const std::vector<std::uint32_t>& indices, std::size_t count) {
   std::vector<int> result(count);

@@ -4,16 +4,16 @@
 
 #include <gtest/gtest.h>
 
-#include <limits>
 #include <opencv2/core.hpp>
 #include <string>
 
 #include "anneal6d/framework/error.h"
+#include "special_numbers.h"
 
 namespace anneal6d {
 namespace {
 
-constexpr double kNaN = std::numeric_limits<double>::quiet_NaN();
+using test::kNaN;
 
 CameraModel small_camera() {
   return {.width_px = 64, .height_px = 48, .fx_px = 60, .fy_px = 60, .cx_px = 32, .cy_px = 24};

@@ -17,7 +17,7 @@ Settings with(const std::string& value) {
 }
 
 template <class Read>
-void expect_refused(const Read& read, const std::string& words) {
+void expect_refused_with(const Read& read, const std::string& words) {
   try {
     read();
     ADD_FAILURE() << "was accepted; expected: " << words;
@@ -52,33 +52,34 @@ TEST(Settings, ReadNumbersWithinTheirRange) {
 TEST(Settings, ReadNumbersWhateverTheLocale) {
   const test::CommaLocale comma;
   EXPECT_EQ(with("1.5").number("sigma-mm", 0, 10), 1.5);
-  expect_refused([] { with("1,5").number("sigma-mm", 0, 10); },
-                 "--sigma-mm: '1,5' is not a number from 0 to 10");
+  expect_refused_with([] { with("1,5").number("sigma-mm", 0, 10); },
+                      "--sigma-mm: '1,5' is not a number from 0 to 10");
 }
 
 TEST(Settings, RefuseWhatIsOutOfRangeOrNoNumber) {
   for (const char* text : {"11", "-0.1", "nan", "inf", "1e999", "", "five", "1 2"}) {
-    expect_refused([&] { with(text).number("sigma-mm", 0, 10); },
-                   "--sigma-mm: '" + std::string(text) + "' is not a number from 0 to 10");
+    expect_refused_with([&] { with(text).number("sigma-mm", 0, 10); },
+                        "--sigma-mm: '" + std::string(text) + "' is not a number from 0 to 10");
   }
 }
 
 TEST(Settings, RefuseWhatIsNoWholeNumber) {
   for (const char* text : {"1.5", "0x10", "99999999999999999999", "4294967297", "7"}) {
-    expect_refused([&] { with(text).integer("sigma-mm", 1, 6); },
-                   "--sigma-mm: '" + std::string(text) + "' is not a whole number from 1 to 6");
+    expect_refused_with(
+        [&] { with(text).integer("sigma-mm", 1, 6); },
+        "--sigma-mm: '" + std::string(text) + "' is not a whole number from 1 to 6");
   }
 }
 
 TEST(Settings, WriteBoundsShortly) {
-  expect_refused([] { with("x").number("sigma-mm", 0.25, 1000); },
-                 "--sigma-mm: 'x' is not a number from 0.25 to 1000");
+  expect_refused_with([] { with("x").number("sigma-mm", 0.25, 1000); },
+                      "--sigma-mm: 'x' is not a number from 0.25 to 1000");
 }
 
 TEST(Settings, ReadFlags) {
   for (const char* text : {"on", "true", "1"}) EXPECT_EQ(with(text).flag("sigma-mm"), true);
   for (const char* text : {"off", "false", "0"}) EXPECT_EQ(with(text).flag("sigma-mm"), false);
-  expect_refused([] { with("yes").flag("sigma-mm"); }, "--sigma-mm: 'yes' is not on or off");
+  expect_refused_with([] { with("yes").flag("sigma-mm"); }, "--sigma-mm: 'yes' is not on or off");
 }
 
 }  // namespace

@@ -4,12 +4,12 @@
 
 #include <gtest/gtest.h>
 
-#include <numbers>
+#include "special_numbers.h"
 
 namespace anneal6d {
 namespace {
 
-constexpr double kPi = std::numbers::pi;
+using test::kPi;
 
 const Eigen::Quaterniond kReference = rotation_from_axis_angle({1, 2, 3}, 0.8);
 

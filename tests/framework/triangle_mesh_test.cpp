@@ -16,7 +16,7 @@
 namespace anneal6d {
 namespace {
 
-constexpr float kNaN = std::numeric_limits<float>::quiet_NaN();
+constexpr float kNoNumber = std::numeric_limits<float>::quiet_NaN();
 
 MeshVertex at(float x, float y, float z) {
   MeshVertex vertex;
@@ -205,18 +205,18 @@ TEST(MeshCheck, RefusesIndicesOutOfRange) {
 
 TEST(MeshCheck, RefusesNumbersThatAreNotFinite) {
   auto vertices = three();
-  vertices[1].position_mm.z() = kNaN;
+  vertices[1].position_mm.z() = kNoNumber;
   expect_refused(vertices, {{0, 1, 2}}, "vertex 1 is not finite");
   vertices = three();
   vertices[2].normal = {0, std::numeric_limits<float>::infinity(), 0};
   expect_refused(vertices, {{0, 1, 2}}, "vertex 2 is not finite");
   vertices = three();
-  vertices[0].uv = {kNaN, 0};
+  vertices[0].uv = {kNoNumber, 0};
   expect_refused(vertices, {{0, 1, 2}}, "vertex 0 is not finite");
 }
 
 TEST(MeshCheck, RefusesAlbedosOutsideTheirRange) {
-  for (const float bad : {-0.01F, 1.01F, kNaN}) {
+  for (const float bad : {-0.01F, 1.01F, kNoNumber}) {
     auto vertices = three();
     vertices[1].albedo_bgr = {0.5F, bad, 0.5F};
     expect_refused(vertices, {{0, 1, 2}}, "vertex 1 has an albedo outside 0..1");

@@ -103,14 +103,17 @@ TEST_F(Dc1394Tool, SampleTracksUntilItIsInterrupted) {
   const auto cells = cells_of(lines_of(sequence_ / "groundtruth.csv").at(1));
   std::string pose;
   for (std::size_t i = 1; i < 8; ++i) pose += cells.at(i) + " ";
-  const ProgramRun run =
-      run_program("DISPLAY= WAYLAND_DISPLAY= " + environment(camera_) +
-                      "timeout --preserve-status --signal=INT 5 " +
-                      anneal6d::quoted(ANNEAL6D_TRACK_DRAGONFLY2) + " " +
-                      anneal6d::quoted((sequence_ / "model.obj").string()) + " " +
-                      anneal6d::quoted((sequence_ / "camera.yml").string()) + " " +
-                      anneal6d::quoted(pose) + " 00b09d01009a1b2c capture=every gain=300",
-                  scratch_);
+  // Unbuffered, to be seen at once; given the signal that Ctrl-C is.
+  const std::string line = "DISPLAY= WAYLAND_DISPLAY= " + environment(camera_) + "stdbuf -o0 " +
+                           anneal6d::quoted(ANNEAL6D_TRACK_DRAGONFLY2) + " " +
+                           anneal6d::quoted((sequence_ / "model.obj").string()) + " " +
+                           anneal6d::quoted((sequence_ / "camera.yml").string()) + " " +
+                           anneal6d::quoted(pose) +
+                           " 00b09d01009a1b2c capture=every gain=300 >log & sample=$!; "
+                           "until grep -q \"frame      3\" log || ! kill -0 $sample; "
+                           "do sleep 0.1; done; kill -INT $sample; wait $sample; "
+                           "status=$?; cat log; exit $status";
+  const ProgramRun run = run_program("sh -c '" + line + "'", scratch_);
   EXPECT_EQ(run.status, 0) << run.err;
   EXPECT_NE(run.out.find("frame      3  lost 0"), std::string::npos) << run.out;
 }

@@ -12,6 +12,7 @@
 namespace anneal6d {
 namespace {
 
+using test::corner_view;
 using test::SharedMesh;
 
 constexpr double kSpacing_px = 3.0;
@@ -36,12 +37,6 @@ const SharedMesh& cube() {
   static const SharedMesh mesh = test::make_box(kSide_mm, kSide_mm, kSide_mm);
   return mesh;
 }
-Pose corner_view() {
-  return {rotation_from_axis_angle(Eigen::Vector3d::UnitX(), 0.6) *
-              rotation_from_axis_angle(Eigen::Vector3d::UnitY(), 0.7),
-          {5, -3, 320}};
-}
-
 struct CubeEdge {
   Eigen::Vector3d from, to;
   bool visible;

@@ -5,11 +5,11 @@
 #include <gtest/gtest.h>
 
 #include <algorithm>
-#include <limits>
 #include <ostream>
 #include <string>
 
 #include "anneal6d/framework/edge_detector.h"
+#include "special_numbers.h"
 #include "synthetic.h"
 
 namespace anneal6d {
@@ -260,8 +260,7 @@ TEST(RasterizedRegion, HoldsTheObjectAndItsMargin) {
 TEST(RasterizedRegion, IsEmptyForWhatCannotBeSeen) {
   const RasterModel model(test::make_box(80, 60, 40), false);
   Rasterizer rasterizer(model, small_camera(), Shading{});
-  constexpr double kNaN = std::numeric_limits<double>::quiet_NaN();
-  for (const Pose& pose : {at_depth(-300), at_depth(kNaN), at_depth(1e12),
+  for (const Pose& pose : {at_depth(-300), at_depth(test::kNaN), at_depth(1e12),
                            Pose{Eigen::Quaterniond::Identity(), {2000, 0, 300}},
                            Pose{Eigen::Quaterniond::Identity(), {0, -1e9, 300}}}) {
     EXPECT_TRUE(rasterizer.draw(pose, 3).empty()) << pose.translation_mm.transpose();

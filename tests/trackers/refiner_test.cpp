@@ -12,15 +12,10 @@ namespace {
 using test::angle_deg;
 using test::beside;
 using test::center_distance_mm;
+using test::corner_view;
 using test::SharedMesh;
 
 CameraModel camera() { return test::small_camera().scaled(2); }
-
-Pose corner_view() {
-  return {rotation_from_axis_angle(Eigen::Vector3d::UnitX(), 0.6) *
-              rotation_from_axis_angle(Eigen::Vector3d::UnitY(), 0.7),
-          {5, -3, 320}};
-}
 
 /// Views of a mesh, drawn once in a test program.
 struct Object {

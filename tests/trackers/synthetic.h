@@ -25,6 +25,13 @@ inline CameraModel small_camera() {
           .cy_px = 118.6};
 }
 
+/// An object before the small camera, three of its sides in sight.
+inline Pose corner_view() {
+  return {rotation_from_axis_angle(Eigen::Vector3d::UnitX(), 0.6) *
+              rotation_from_axis_angle(Eigen::Vector3d::UnitY(), 0.7),
+          {5, -3, 320}};
+}
+
 /// The object as drawn, as large as the image.
 struct Drawing {
   Region region;

@@ -16,6 +16,7 @@
 namespace anneal6d {
 namespace {
 
+using test::at;
 using test::make_rectangle;
 using test::make_torus;
 using test::vga_camera;
@@ -39,12 +40,6 @@ Picture draw(std::shared_ptr<const TriangleMesh> mesh, const Pose& pose,
   Picture picture;
   renderer.render(pose, shading, picture.color, picture.depth_mm);
   return picture;
-}
-
-Pose at(double x_mm, double y_mm, double z_mm) {
-  Pose pose;
-  pose.translation_mm = {x_mm, y_mm, z_mm};
-  return pose;
 }
 
 Pose turned(Pose pose, double angle_rad, const Eigen::Vector3d& axis) {

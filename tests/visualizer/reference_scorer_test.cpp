@@ -13,6 +13,8 @@
 namespace anneal6d {
 namespace {
 
+using test::at;
+
 using ReferenceScorerTest = test::OpenGlTest;
 
 ScorerSetup rectangle_setup(cv::Mat texture_bgr = {}) {
@@ -21,12 +23,6 @@ ScorerSetup rectangle_setup(cv::Mat texture_bgr = {}) {
   setup.camera = test::vga_camera();
   setup.edges.threshold = 40;
   return setup;
-}
-
-Pose at(double x_mm, double y_mm, double z_mm) {
-  Pose pose;
-  pose.translation_mm = {x_mm, y_mm, z_mm};
-  return pose;
 }
 
 EdgeMatch score(ReferenceScorer& scorer, const Pose& pose) {

@@ -8,9 +8,17 @@
 #include <vector>
 
 #include "anneal6d/framework/camera_model.h"
+#include "anneal6d/framework/pose.h"
 #include "anneal6d/framework/triangle_mesh.h"
 
 namespace anneal6d::test {
+
+/// Not turned.
+inline Pose at(double x_mm, double y_mm, double z_mm) {
+  Pose pose;
+  pose.translation_mm = {x_mm, y_mm, z_mm};
+  return pose;
+}
 
 inline CameraModel vga_camera() {
   CameraModel camera;

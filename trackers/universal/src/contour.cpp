@@ -14,9 +14,9 @@
 namespace anneal6d {
 namespace {
 
-constexpr double kDegree = std::numbers::pi / 180.0;
-const double kCreaseCosine = std::cos(35.0 * kDegree);  // faces meeting sharper look like an edge
-const double kSmoothCosine = std::cos(30.0 * kDegree);
+// Faces meeting sharper look like an edge.
+const double kCreaseCosine = std::cos(35.0 * (std::numbers::pi / 180.0));
+const double kSmoothCosine = std::cos(30.0 * (std::numbers::pi / 180.0));
 constexpr double kCreaseLength = 0.03;     // of the diameter; shorter creases are a scan's noise
 constexpr double kVisibleDepth = 0.01;     // of the diameter: tolerance of the hidden-point test
 constexpr double kSilhouetteDepth = 0.02;  // of the diameter: a silhouette has at least this behind

@@ -10,8 +10,8 @@
 namespace anneal6d {
 namespace {
 
-constexpr float kFaintest = 2.5F;      // grey levels a pixel: weaker slopes are no edge
-constexpr float kRegionWeight = 0.5F;  // pixels beside each other show the same
+constexpr float kFaintest = 2.5F;     // grey levels a pixel: weaker slopes are no edge
+constexpr float kPixelWeight = 0.5F;  // pixels beside each other show the same
 
 float square(float x) { return x * x; }
 
@@ -85,7 +85,7 @@ void EdgeLine::compare(const Appearance& appearance, float inside_px, float outs
       std::array<std::uint8_t, 3> pixel;
       for (int c = 0; c < channels_; ++c) pixel[c] = static_cast<std::uint8_t>(grey_[c][i] + 0.5F);
       const float odds = appearance.log_odds(appearance.bin(pixel.data()));
-      const float half = odds * (0.5F * kRegionWeight / Appearance::kScale);
+      const float half = odds * (0.5F * kPixelWeight / Appearance::kScale);
       region_[i] = sum + half;
       sum += 2 * half;
     } else {

@@ -27,7 +27,7 @@ constexpr double kFeigned = 0.005;  // share of visible motion, see `solve`
 constexpr int kColourGap_px = 2;    // blurred edges are of neither colour
 constexpr int kColourReach_px = 12;
 
-double square(double x) { return x * x; }
+double squared(double x) { return x * x; }
 
 }  // namespace
 
@@ -113,7 +113,7 @@ void Refiner::step(Pose& camera_from_object, double reach_px) {
     double best_score = 0, residual_px = 0;
     for (int i = 0; i < target.edge_count; ++i) {
       const double distance_px = target.edges[i].offset_px - moved_px;
-      const double score = target.edges[i].score * std::exp(-square(distance_px / cutoff_px));
+      const double score = target.edges[i].score * std::exp(-squared(distance_px / cutoff_px));
       if (score <= best_score) continue;
       best_score = score;
       best = &target.edges[i];
@@ -129,7 +129,7 @@ void Refiner::step(Pose& camera_from_object, double reach_px) {
     Twist jacobian;
     jacobian << (p - center).cross(gradient), gradient;
 
-    const double tukey = square(1 - square(residual_px / cutoff_px));
+    const double tukey = squared(1 - squared(residual_px / cutoff_px));
     const double weight = target.trust * tukey * edge_weight(best->strength);
     normal_matrix.selfadjointView<Eigen::Lower>().rankUpdate(jacobian, weight);
     right_side += weight * residual_px * jacobian;
@@ -225,7 +225,7 @@ Refiner::Result Refiner::examine(const Pose& camera_from_object, const Appearanc
     if (!near) continue;
     confirmed += line.agreement();
     fitting +=
-        line.agreement() * std::exp(-0.5 * square((edge.offset_px - target.shift_px) / kFit_px));
+        line.agreement() * std::exp(-0.5 * squared((edge.offset_px - target.shift_px) / kFit_px));
   }
   result.fit = fitting / static_cast<double>(targets_.size());
   result.support = confirmed / static_cast<double>(targets_.size());

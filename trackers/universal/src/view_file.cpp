@@ -65,8 +65,8 @@ class Reader {
   bool complete_ = true;
 };
 
-/// What places and lengths are fractions of.
-struct Frame {
+/// Around the object: what places and lengths are fractions of.
+struct Ball {
   Eigen::Vector3d center_mm;
   double radius_mm;
 
@@ -74,30 +74,29 @@ struct Frame {
   double farthest_mm() const { return 0.5 * radius_mm; }  // of inside and outside
 };
 
-void put_sample(Writer& writer, const ContourSample& sample, const Frame& frame) {
-  const Eigen::Vector3d place =
-      (sample.object_mm.cast<double>() - frame.center_mm) / frame.span_mm();
+void put_sample(Writer& writer, const ContourSample& sample, const Ball& ball) {
+  const Eigen::Vector3d place = (sample.object_mm.cast<double>() - ball.center_mm) / ball.span_mm();
   for (const double value : {place.x(), place.y(), place.z()}) writer.put_fraction(value);
   for (int i = 0; i < 3; ++i) writer.put_fraction(sample.normal[i]);
-  writer.put_fraction(sample.curve_mm / frame.radius_mm);
-  writer.put_byte(sample.inside_mm / frame.farthest_mm());
-  writer.put_byte(sample.outside_mm / frame.farthest_mm());
+  writer.put_fraction(sample.curve_mm / ball.radius_mm);
+  writer.put_byte(sample.inside_mm / ball.farthest_mm());
+  writer.put_byte(sample.outside_mm / ball.farthest_mm());
   writer.put_fraction(sample.shift_px / 4.0);
   writer.put_byte(sample.trust);
   writer.put(static_cast<std::uint8_t>((sample.polarity + 1) * 2 + (sample.silhouette ? 1 : 0)));
 }
 
-ContourSample get_sample(Reader& reader, const Frame& frame) {
+ContourSample get_sample(Reader& reader, const Ball& ball) {
   ContourSample sample;
   for (int i = 0; i < 3; ++i) {
     sample.object_mm[i] =
-        static_cast<float>(frame.center_mm[i] + reader.get_fraction() * frame.span_mm());
+        static_cast<float>(ball.center_mm[i] + reader.get_fraction() * ball.span_mm());
   }
   for (int i = 0; i < 3; ++i) sample.normal[i] = static_cast<float>(reader.get_fraction());
   sample.normal.normalize();
-  sample.curve_mm = static_cast<float>(reader.get_fraction() * frame.radius_mm);
-  sample.inside_mm = static_cast<float>(reader.get_byte() * frame.farthest_mm());
-  sample.outside_mm = static_cast<float>(reader.get_byte() * frame.farthest_mm());
+  sample.curve_mm = static_cast<float>(reader.get_fraction() * ball.radius_mm);
+  sample.inside_mm = static_cast<float>(reader.get_byte() * ball.farthest_mm());
+  sample.outside_mm = static_cast<float>(reader.get_byte() * ball.farthest_mm());
   sample.shift_px = static_cast<float>(reader.get_fraction() * 4.0);
   sample.trust = static_cast<float>(reader.get_byte());
   const int flags = reader.get<std::uint8_t>();
@@ -110,7 +109,7 @@ ContourSample get_sample(Reader& reader, const Frame& frame) {
 
 std::string pack_views(const std::vector<ModelView>& views, ViewKey key,
                        const Eigen::Vector3d& center_mm, double radius_mm) {
-  const Frame frame{center_mm, radius_mm};
+  const Ball ball{center_mm, radius_mm};
   Writer writer;
   writer.put(kMagic);
   writer.put(key);
@@ -119,11 +118,11 @@ std::string pack_views(const std::vector<ModelView>& views, ViewKey key,
     writer.put(static_cast<std::uint16_t>(view.contour.size()));
     writer.put(static_cast<std::uint16_t>(view.edges));
     writer.put(view.edge_px);
-    for (const ContourSample& sample : view.contour) put_sample(writer, sample, frame);
+    for (const ContourSample& sample : view.contour) put_sample(writer, sample, ball);
     for (std::size_t i = 0; i < static_cast<std::size_t>(view.edges); ++i) {
-      writer.put_fraction((view.edge_x[i] - center_mm.x()) / frame.span_mm());
-      writer.put_fraction((view.edge_y[i] - center_mm.y()) / frame.span_mm());
-      writer.put_fraction((view.edge_z[i] - center_mm.z()) / frame.span_mm());
+      writer.put_fraction((view.edge_x[i] - center_mm.x()) / ball.span_mm());
+      writer.put_fraction((view.edge_y[i] - center_mm.y()) / ball.span_mm());
+      writer.put_fraction((view.edge_z[i] - center_mm.z()) / ball.span_mm());
     }
   }
   return writer.take();
@@ -132,7 +131,7 @@ std::string pack_views(const std::vector<ModelView>& views, ViewKey key,
 std::optional<std::vector<ModelView>> unpack_views(std::string_view bytes, ViewKey key,
                                                    const Eigen::Vector3d& center_mm,
                                                    double radius_mm) {
-  const Frame frame{center_mm, radius_mm};
+  const Ball ball{center_mm, radius_mm};
   Reader reader(bytes);
   if (reader.get<std::uint32_t>() != kMagic || reader.get<ViewKey>() != key ||
       reader.get<std::uint32_t>() != ViewModel::kViews) {
@@ -144,10 +143,10 @@ std::optional<std::vector<ModelView>> unpack_views(std::string_view bytes, ViewK
     const std::size_t edges = reader.get<std::uint16_t>();
     view.edge_px = reader.get<float>();
     if (samples > kMostPoints || edges > kMostPoints || !reader.complete()) return std::nullopt;
-    for (std::size_t i = 0; i < samples; ++i) view.contour.push_back(get_sample(reader, frame));
+    for (std::size_t i = 0; i < samples; ++i) view.contour.push_back(get_sample(reader, ball));
     for (std::size_t i = 0; i < edges; ++i) {
       const auto coordinate = [&](double center) {
-        return static_cast<float>(center + reader.get_fraction() * frame.span_mm());
+        return static_cast<float>(center + reader.get_fraction() * ball.span_mm());
       };
       view.edge_x.push_back(coordinate(center_mm.x()));
       view.edge_y.push_back(coordinate(center_mm.y()));
