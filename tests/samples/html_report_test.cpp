@@ -19,7 +19,7 @@ std::size_t count_of(const std::string& text, const std::string& part) {
   return count;
 }
 
-JudgedFrame judged(double error_mm, double quality, std::int64_t frame = 0) {
+JudgedFrame frame_with(double error_mm, double quality, std::int64_t frame = 0) {
   JudgedFrame made;
   made.error.translation_mm.x() = error_mm;
   made.quality = quality;
@@ -37,14 +37,15 @@ SequenceEvaluation evaluation_of(const std::string& name, const std::vector<doub
     const auto frame = static_cast<std::int64_t>(i + 1);
     evaluation.rows[i + 1].frame = frame;
     evaluation.rows[i + 1].quality = 0.75;
-    evaluation.judged.push_back(judged(errors_mm[i], 0.75, frame));
+    evaluation.judged.push_back(frame_with(errors_mm[i], 0.75, frame));
   }
   evaluation.summary = summarise(name, evaluation.judged);
   return evaluation;
 }
 
 TEST(Reliability, SetsQualityAgainstTheShareOfRightFrames) {
-  const JudgedFrame frames[] = {judged(1, 0.9), judged(1, 0.8), judged(99, 0.8), judged(99, 0.1)};
+  const JudgedFrame frames[] = {frame_with(1, 0.9), frame_with(1, 0.8), frame_with(99, 0.8),
+                                frame_with(99, 0.1)};
   const Reliability reliability = reliability_of(frames, 2);
   ASSERT_EQ(reliability.bins.size(), 2U);
   EXPECT_EQ(reliability.frames, 4U);
@@ -60,18 +61,18 @@ TEST(Reliability, SetsQualityAgainstTheShareOfRightFrames) {
 }
 
 TEST(Reliability, HasABinForBothEndsOfTheScale) {
-  const JudgedFrame frames[] = {judged(1, 1), judged(1, 0)};
+  const JudgedFrame frames[] = {frame_with(1, 1), frame_with(1, 0)};
   const Reliability reliability = reliability_of(frames, 10);
   EXPECT_EQ(reliability.bins.front().frames, 1U);
   EXPECT_EQ(reliability.bins.back().frames, 1U);
 }
 
 TEST(Reliability, IsLessCertainOfFewFrames) {
-  std::vector<JudgedFrame> frames(10, judged(1, 0.9));
+  std::vector<JudgedFrame> frames(10, frame_with(1, 0.9));
   const ReliabilityBin few = reliability_of(frames, 1).bins[0];
   EXPECT_NEAR(few.right_low, 0.7225, 5e-5);  // Wilson's interval of 10 of 10
   EXPECT_DOUBLE_EQ(few.right_high, 1);
-  frames.resize(1000, judged(1, 0.9));
+  frames.resize(1000, frame_with(1, 0.9));
   EXPECT_GT(reliability_of(frames, 1).bins[0].right_low, 0.99);
 }
 
@@ -186,9 +187,9 @@ TEST(HtmlReport, CarriesPicturesInside) {
 }
 
 TEST(EvaluationPictures, TakeTheWorstFrameByBothLimits) {
-  JudgedFrame turned = judged(1, 1, 2);
+  JudgedFrame turned = frame_with(1, 1, 2);
   turned.error.rotation_deg = 4;  // twice the limit
-  const JudgedFrame frames[] = {judged(15, 1, 1), turned, judged(19, 1, 3)};
+  const JudgedFrame frames[] = {frame_with(15, 1, 1), turned, frame_with(19, 1, 3)};
   EXPECT_EQ(worst_of(frames).frame, 2);
 }
 

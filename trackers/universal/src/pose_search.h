@@ -19,7 +19,7 @@ struct Expectation {
   /// Evidence that a pose (camera_from_center) loses for being far from what was expected: decides
   /// between poses that look the same.
   double strangeness(const Pose& pose) const {
-    constexpr double kEach = 0.002;  // squared deviation
+    constexpr double kEach = 0.004;  // squared deviation
     return kEach * twist_between(camera_from_center, pose).cwiseQuotient(sigma).squaredNorm();
   }
 };
