@@ -24,6 +24,7 @@ namespace {
 
 constexpr double kDegree = std::numbers::pi / 180.0;
 constexpr double kSure = 0.92;     // of the usual support: there is no need to search
+constexpr double kPoor = 0.85;     // of the usual fit: less is searched once
 constexpr double kFitting = 0.94;  // of the usual fit: there is no need to look at all neighbours
 constexpr double kFitRise = 0.3, kFitFall = 0.03;  // of the newest frame in the usual fit
 constexpr double kNeighbour_px = 4.0, kNeighbourShift_px = 3.0;
@@ -188,7 +189,10 @@ class UniversalTracker final : public RigidObjectTracker {
     const double reach_px = std::clamp(deviation_px(), kLeastReach_px, kMostReach_px);
     Refiner::Result best = sight_->refiner.refine(guess, guess, reach_px, appearance);
     Expectation wider = expected_;
-    for (int pass = 0; pass < kPasses && best.support < kSure * usual_support_; ++pass) {
+    const auto confirmed_as_usual = [&](int pass) {
+      return best.support >= kSure * usual_support_ && (pass > 0 || best.fit >= kPoor * usual_fit_);
+    };
+    for (int pass = 0; pass < kPasses && !confirmed_as_usual(pass); ++pass) {
       if (pass == 0) {
         detect_edges_around(expected_.camera_from_center,
                             mesh().radius_mm() + 3 * expected_.sigma[5]);
