@@ -38,8 +38,8 @@ struct SimulationOptions {
   /// obliquely from above, so far away that its diameter covers 40 % of the image's height.
   std::optional<Pose> start;
 
-  /// [background] "none": black, as in the thesis; "clutter": boxes, discs, lines and gradients drawn by seed;
-  /// anything else: an image file, scaled and cut to fill the frame.
+  /// [background] "none": black, as in the thesis; "clutter": boxes, discs, lines and gradients
+  /// drawn by seed; anything else: an image file, scaled and cut to fill the frame.
   std::string background = "none";
   SimulatedLight light = SimulatedLight::fixed;  ///< [light] fixed, moving, changing
   bool occluder = false;  ///< [occluder] a forearm sweeps to and fro in front of the object
