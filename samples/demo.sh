@@ -47,5 +47,5 @@ Done. In $PWD/$out:
   cube.mp4, cube.csv      the real cube: overlay video, and a pose for every frame
   cup/                    the simulated sequence: images, camera, model, true poses
   cup.mp4, cup.csv        the simulated cup: overlay video, and a pose for every frame
-  cup_evaluation/         its errors against the true poses: summary.json and cup/poses.csv
+  cup_evaluation/         its errors against the true poses: report.html, summary.json, cup/poses.csv
 END
