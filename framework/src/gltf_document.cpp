@@ -50,8 +50,8 @@ std::size_t width_of(const std::string& type) {
 
 std::string percent_decoded(const std::string& uri) {
   const auto digit = [](char c) {
-    constexpr std::string_view kDigits = "0123456789abcdef0123456789ABCDEF";
-    const std::size_t at = kDigits.find(c);
+    constexpr std::string_view kHexDigits = "0123456789abcdef0123456789ABCDEF";
+    const std::size_t at = kHexDigits.find(c);
     return at == std::string_view::npos ? -1 : static_cast<int>(at % 16);
   };
   std::string text;
