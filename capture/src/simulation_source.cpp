@@ -15,6 +15,7 @@
 #include "background.h"
 #include "forearm.h"
 #include "simulation_random.h"
+#include "size_text.h"
 #include "trajectory.h"
 
 namespace anneal6d {
@@ -238,7 +239,7 @@ std::int64_t SimulationSource::skip(std::int64_t count) {
 
 std::string SimulationSource::description() const {
   return "simulation, " + std::to_string(options_.frames) + " frames of " +
-         std::to_string(camera_.width_px) + "x" + std::to_string(camera_.height_px) + ", " +
+         size_text({camera_.width_px, camera_.height_px}) + ", " +
          std::string(to_string(options_.motion)) + ", seed " + std::to_string(options_.seed);
 }
 

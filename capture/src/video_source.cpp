@@ -8,6 +8,7 @@
 #include <system_error>
 
 #include "anneal6d/framework/error.h"
+#include "size_text.h"
 
 namespace anneal6d {
 namespace {
@@ -44,9 +45,9 @@ VideoSource::VideoSource(const std::filesystem::path& path, std::optional<Camera
   }
   size_ = first_.size();
   if (camera_ && size_ != cv::Size(camera_->width_px, camera_->height_px)) {
-    throw ConfigError("the video " + path.string() + " has " + std::to_string(size_.width) + "x" +
-                      std::to_string(size_.height) + " pixels, but the calibration is for " +
-                      std::to_string(camera_->width_px) + "x" + std::to_string(camera_->height_px) +
+    throw ConfigError("the video " + path.string() + " has " + size_text(size_) +
+                      " pixels, but the calibration is for " +
+                      size_text({camera_->width_px, camera_->height_px}) +
                       "; give the calibration of the camera that recorded it");
   }
 }
@@ -120,7 +121,7 @@ std::string VideoSource::description() const {
   } else {
     text += ", frames of ";
   }
-  return text + std::to_string(size_.width) + "x" + std::to_string(size_.height);
+  return text + size_text(size_);
 }
 
 }  // namespace anneal6d
