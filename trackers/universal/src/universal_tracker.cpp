@@ -18,6 +18,7 @@
 #include "region_cue.h"
 #include "view_painter.h"
 #include "view_store.h"
+#include "workers.h"
 
 namespace anneal6d {
 namespace {
@@ -61,10 +62,11 @@ double quality_of(double support_beyond_chance) {
 /// What the default mode works with; the thesis's does without.
 struct Sight {
   Sight(const ScorerSetup& setup, PoseFilter& filter, const PoseSearch::Effort& effort)
-      : views(view_model_of(setup)),
+      : workers(setup.threads),
+        views(view_model_of(setup)),
         refiner(*views, setup.camera),
-        region(*views, setup.camera),
-        search(filter, refiner, effort, setup.mesh->radius_mm()) {
+        region(*views, setup.camera, workers),
+        search(filter, refiner, workers, effort, setup.mesh->radius_mm()) {
     filter.set_region_cue(region);
     if (setup.mesh->triangles().size() <= kSmallModel) exact = std::make_unique<Exact>(setup);
   }
@@ -78,6 +80,7 @@ struct Sight {
     ViewPainter painter;
   };
 
+  Workers workers;
   std::shared_ptr<const ViewModel> views;
   Refiner refiner;
   RegionCue region;
@@ -192,7 +195,10 @@ class UniversalTracker final : public RigidObjectTracker {
     const auto confirmed_as_usual = [&](int pass) {
       return best.support >= kSure * usual_support_ && (pass > 0 || best.fit >= kPoor * usual_fit_);
     };
+    bool in_vain = false;
+    const double before = best.evidence() - strangeness(best);
     for (int pass = 0; pass < kPasses && !confirmed_as_usual(pass); ++pass) {
+      in_vain = true;
       if (pass == 0) {
         detect_edges_around(expected_.camera_from_center,
                             mesh().radius_mm() + 3 * expected_.sigma[5]);
@@ -206,6 +212,7 @@ class UniversalTracker final : public RigidObjectTracker {
       if (found.evidence() - strangeness(found) > best.evidence() - strangeness(best)) best = found;
       wider.sigma *= 2.0;
     }
+    in_vain = in_vain && best.evidence() - strangeness(best) < before + 0.03;
     best = best_of_neighbours(best, appearance);
     usual_fit_ += (best.fit > usual_fit_ ? kFitRise : kFitFall) * (best.fit - usual_fit_);
     if (sight_->exact) {
@@ -215,6 +222,7 @@ class UniversalTracker final : public RigidObjectTracker {
     }
     const double chance = sight_->refiner.chance(best.camera_from_object);
     quality_ = quality_of((best.support - chance) / std::max(1e-6, 1.0 - chance));
+    if (in_vain && best.support < usual_support_) usual_support_ = best.support;
     usual_support_ += (best.support > usual_support_ ? kSupportRise : kSupportFall) *
                       (best.support - usual_support_);
     Pose found = filter_.to_center(best.camera_from_object);
@@ -236,29 +244,36 @@ class UniversalTracker final : public RigidObjectTracker {
   /// of a rim is taken for the other, a few pixels aside. A false bottom stays from frame to frame,
   /// so that each frame looks along one motion only, unless edges fit less closely than usual.
   Refiner::Result best_of_neighbours(const Refiner::Result& refined, const Appearance& appearance) {
-    Refiner& refiner = sight_->refiner;
+    const Refiner& refiner = sight_->refiner;
     const Pose center = filter_.to_center(refined.camera_from_object);
-    const std::array<Twist, 2> weak = refiner.weak_motions();
+    const std::array<Twist, 2> weak = refined.weak_motions;
     const double shift_mm = kNeighbourShift_px * center.translation_mm.z() / camera().fx_px;
     const std::array<Twist, 4> motions = {kNeighbour_px * weak[0], shift_mm * Twist::Unit(4),
                                           kNeighbour_px * weak[1], shift_mm * Twist::Unit(3)};
     const bool doubtful = refined.fit < kFitting * usual_fit_;
-    Refiner::Result best =
-        refiner.examine(refined.camera_from_object, appearance, Refiner::Care::quick);
-    const auto likely = [&](const Refiner::Result& result) {
-      return result.fit - strangeness(result);
-    };
-    bool better = false;
+    std::vector<Pose> starts;
     for (std::size_t i = 0; i < motions.size(); ++i) {
       if (!doubtful && i != frame_number_ % motions.size()) continue;
       for (const double side : {-1.0, 1.0}) {
-        const Pose start = filter_.to_object(moved(center, side * motions[i]));
-        const Refiner::Result other =
-            refiner.refine(start, start, kNeighbourReach_px, appearance, Refiner::Care::quick);
-        if (likely(other) <= likely(best)) continue;
-        best = other;
-        better = true;
+        starts.push_back(filter_.to_object(moved(center, side * motions[i])));
       }
+    }
+    std::vector<Refiner::Result> others(starts.size() + 1);
+    sight_->workers.each(others.size(), 1, [&](std::size_t i) {
+      others[i] = i < starts.size() ? refiner.refine(starts[i], starts[i], kNeighbourReach_px,
+                                                     appearance, Refiner::Care::quick)
+                                    : refiner.examine(refined.camera_from_object, appearance,
+                                                      Refiner::Care::quick);
+    });
+    const auto likely = [&](const Refiner::Result& result) {
+      return result.fit - strangeness(result);
+    };
+    Refiner::Result best = others.back();
+    bool better = false;
+    for (const Refiner::Result& other : others) {
+      if (likely(other) <= likely(best)) continue;
+      best = other;
+      better = true;
     }
     if (!better) return refined;
     best = refiner.refine(best.camera_from_object, best.camera_from_object, kNeighbourReach_px,
