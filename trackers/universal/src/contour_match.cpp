@@ -137,6 +137,14 @@ Pose ContourMatch::camera_from_object() const {
   return {centered.rotation, centered * -center_mm_};
 }
 
+ContourMatch::Matrix6 ContourMatch::unseen() const {
+  // With feigned shares as large as they are seen to be, instead of as they do the least harm.
+  constexpr double kDoubtful = 0.015;
+  const Matrix6 doubt = kDoubtful * kDoubtful * Matrix6::Identity();
+  const Matrix6 unseen = (shares_ * shares_ + doubt).ldlt().solve(doubt);
+  return unit_.asDiagonal() * unseen * unit_.cwiseInverse().asDiagonal();
+}
+
 std::array<Twist, 2> ContourMatch::weak_motions() const {
   const Eigen::SelfAdjointEigenSolver<Matrix6> shares(shares_);
   std::array<Twist, 2> motions;

@@ -59,6 +59,8 @@ class ContourMatch {
 
   /// See Refiner::Result; at the last step.
   std::array<Twist, 2> weak_motions() const;
+  /// See Refiner::Result; at the last step.
+  Eigen::Matrix<double, 6, 6> unseen() const;
 
  private:
   using Matrix6 = Eigen::Matrix<double, 6, 6>;

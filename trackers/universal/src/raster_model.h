@@ -33,6 +33,7 @@ struct RasterModel {
   std::vector<float> u, v;  ///< empty without texture
   std::vector<Triangle> triangles;
   std::vector<QuadTexture> textures;  ///< one a level; empty without texture
+  bool patterned;                     ///< has a texture, or vertices of different brightness
   /// The surface is closed and wound one way: faces turned away are hidden and can be skipped.
   bool closed;
   /// Of each triangle of a `closed` surface the plane: a point outside is where its product with

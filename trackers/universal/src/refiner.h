@@ -36,6 +36,9 @@ class Refiner {
     /// plate, where the pose was refined: twists about the centre (see twist.h) that move the
     /// contour's points by a pixel, root mean square.
     std::array<Twist, 2> weak_motions{Twist::Zero(), Twist::Zero()};
+    /// What edges leave of a deviation from the pose, as a map of twists: about the identity along
+    /// motions that the contour does not show, about zero along others.
+    Eigen::Matrix<double, 6, 6> unseen = Eigen::Matrix<double, 6, 6>::Identity();
 
     /// What tells the right pose from others that the image supports as well.
     double evidence() const { return support + fit; }
