@@ -37,9 +37,9 @@ class Rasterizer {
   /// the object can be visible or the pose is not finite.
   Region draw(const Pose& camera_from_object, int margin_px);
 
-  /// Consumes the drawing: Sobel's or Prewitt's operator, threshold, dilation (thesis Alg. 4), AND
-  /// with the frame's edges and both counts, row by row without an image in between. The margin was
-  /// at least 1 + options.dilation_px.
+  /// Consumes the drawing: edge operator, threshold, dilation (thesis Alg. 4), AND with the frame's
+  /// edges and both counts, without an image in between. Blur is left out; thresholds are given,
+  /// Canny's both. The margin was at least 1 + options.dilation_px, and one more for Canny.
   EdgeMatch count_edges(const PackedEdges& frame_edges, const EdgeOptions& options);
 
   /// Consumes the drawing into an image of the region's size: brightness, CV_8UC1, 0 where there is
@@ -66,8 +66,9 @@ class Rasterizer {
   std::vector<ImageVertex> vertices_;
   std::vector<TexturePoint> texture_points_;
   std::vector<float> camera_z_;
-  std::vector<std::uint16_t> rows_;  // a band of brightness, see EdgeJob
-  std::vector<std::uint64_t> bits_, widened_;
+  std::vector<std::uint16_t> rows_;      // a band of brightness, see DrawnPicture
+  std::vector<std::int16_t> gradients_;  // and of gradients, see CannyJob
+  std::vector<std::uint64_t> bits_, candidates_, widened_;
 };
 
 }  // namespace anneal6d
