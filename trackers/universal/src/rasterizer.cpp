@@ -22,7 +22,7 @@ Rasterizer::Rasterizer(const RasterModel& model, const CameraModel& camera, cons
   camera_z_.resize(model.x.size());
   const auto width = static_cast<std::size_t>(camera.width_px);
   const auto height = static_cast<std::size_t>(camera.height_px);
-  pixels_.resize((width + 15 + kPixelMargin) * height);
+  pixels_.resize((width + 15 + kPixelMargin) * (height + 1));  // a row may be filled with its next
   rows_.resize((kBandRows + 2) * (width + 2 * kRowMargin));
   gradients_.resize(3 * rows_.size());
   bits_.resize((width / 64 + 2) * (height + 1));
