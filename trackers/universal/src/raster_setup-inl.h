@@ -178,7 +178,7 @@ HWY_INLINE void SetUp(const TriangleJob& job, const Batch& batch, std::size_t fi
 /// Some rows of a group of triangles: where each begins, its width, and the values at its first
 /// pixel.
 struct Rows {
-  static constexpr int kMost = 16;
+  static constexpr int kMost = 64;
   static_assert(kMost % kRowsAtOnce == 0);
 
   using Values = float[kMost][kMostLanes];

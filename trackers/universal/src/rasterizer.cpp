@@ -13,6 +13,12 @@ namespace {
 /// A pixel coordinate as a whole number within a range that no image leaves.
 int whole(float pixels) { return static_cast<int>(std::clamp(pixels, -1e6F, 1e6F)); }
 
+/// Entries of a row of brightness with its margins: whole cache lines.
+int row_stride_of(int width) {
+  constexpr int kLine = LineArray<std::uint16_t>::kEntriesOfALine;
+  return (width + kLine - 1) / kLine * kLine + 2 * kRowMargin;
+}
+
 }  // namespace
 
 Rasterizer::Rasterizer(const RasterModel& model, const CameraModel& camera, const Shading& shading)
@@ -23,8 +29,9 @@ Rasterizer::Rasterizer(const RasterModel& model, const CameraModel& camera, cons
   const auto width = static_cast<std::size_t>(camera.width_px);
   const auto height = static_cast<std::size_t>(camera.height_px);
   pixels_.resize((width + 15 + kPixelMargin) * (height + 1));  // a row may be filled with its next
-  rows_.resize((kBandRows + 2) * (width + 2 * kRowMargin));
-  gradients_.resize(3 * rows_.size());
+  const auto band = static_cast<std::size_t>((kBandRows + 2) * row_stride_of(camera.width_px));
+  rows_.resize(band);
+  gradients_.resize(3 * band);
   bits_.resize((width / 64 + 2) * (height + 1));
   candidates_.resize(bits_.size());
 }
@@ -119,7 +126,7 @@ EdgeMatch Rasterizer::count_edges(const PackedEdges& frame_edges, const EdgeOpti
                              .width = width,
                              .height = height,
                              .rows = rows_.data(),
-                             .row_stride = width + 2 * kRowMargin};
+                             .row_stride = row_stride_of(width)};
   if (options.op == EdgeOperator::canny) {
     find_canny_candidates({.picture = picture,
                            .low = *options.low_threshold,

@@ -8,6 +8,7 @@
 #include "anneal6d/framework/camera_model.h"
 #include "anneal6d/framework/pose.h"
 #include "anneal6d/framework/pose_scorer.h"
+#include "line_array.h"
 #include "packed_edges.h"
 #include "raster_kernels.h"
 #include "raster_model.h"
@@ -59,15 +60,15 @@ class Rasterizer {
   Shading shading_;
 
   Region region_;
-  int stride_ = 0;                     // words a row of the drawing
-  std::vector<std::uint32_t> pixels_;  // all zero but between draw and consumption
+  int stride_ = 0;                   // words a row of the drawing
+  LineArray<std::uint32_t> pixels_;  // all zero but between draw and consumption
   float inv_far_ = 0, depth_scale_ = 1;
 
   std::vector<ImageVertex> vertices_;
   std::vector<TexturePoint> texture_points_;
   std::vector<float> camera_z_;
-  std::vector<std::uint16_t> rows_;      // a band of brightness, see DrawnPicture
-  std::vector<std::int16_t> gradients_;  // and of gradients, see CannyJob
+  LineArray<std::uint16_t> rows_;      // a band of brightness, see DrawnPicture
+  LineArray<std::int16_t> gradients_;  // and of gradients, see CannyJob
   std::vector<std::uint64_t> bits_, candidates_, widened_;
 };
 
