@@ -101,6 +101,60 @@ TEST(RasterizedDepth, IsExactWhereThePlaneCrossesTheNearPlane) {
   EXPECT_GT(pixels, 10000);
 }
 
+TEST(RasterizedDepth, IsThereInRowsOfEveryLength) {
+  // Short rows are filled several at a time, long ones in pieces.
+  for (const std::int64_t target : test::instruction_sets()) {
+    const test::OnInstructionSet on(target);
+    for (float width_mm = 0.5F; width_mm < 36; width_mm += 0.5F) {
+      const RasterModel model(make_plate(width_mm, 30), false);
+      const Pose pose = tilted(0, 10, 300);
+      const Drawing drawing = draw(model, small_camera(), pose);
+      for (int y = 100; y < 140; ++y) {
+        for (int x = 140; x < 180; ++x) {
+          const Hit hit = hit_plane(small_camera(), pose, x, y);
+          const double inside_mm = std::min(0.5 * width_mm - std::abs(hit.object_mm.x()),
+                                            15 - std::abs(hit.object_mm.y()));
+          if (std::abs(inside_mm) < 0.01) continue;
+          ASSERT_EQ(drawing.depth_mm.at<float>(y, x) > 0, inside_mm > 0)
+              << hwy::TargetName(target) << ", " << width_mm << " wide, at " << x << ", " << y;
+        }
+      }
+    }
+  }
+}
+
+TEST(RasterizedDepth, HasNoHolesWherePlanksCrossTheNearPlane) {
+  // A floor of planks from behind the camera to far before it: some pixels wide, but cut where they
+  // are thousands of pixels below the image.
+  std::vector<MeshVertex> vertices;
+  std::vector<Triangle> triangles;
+  constexpr std::uint32_t kPlanks = 250;
+  for (std::uint32_t i = 0; i <= kPlanks; ++i) {
+    const float x_mm = -500 + 1000 * static_cast<float>(i) / kPlanks;
+    for (const float y_mm : {-500.0F, 500.0F}) {
+      vertices.push_back(test::vertex_at(x_mm, y_mm, 0));
+      vertices.back().normal = {0, 0, -1};
+    }
+    if (i == kPlanks) break;
+    triangles.push_back({2 * i, 2 * i + 1, 2 * i + 3});
+    triangles.push_back({2 * i, 2 * i + 3, 2 * i + 2});
+  }
+  const RasterModel model(std::make_shared<const TriangleMesh>(vertices, triangles), false);
+  const Pose pose{rotation_from_axis_angle(Eigen::Vector3d::UnitX(), 90 * test::kDegree),
+                  {0, 40, 0}};
+  const Drawing drawing = draw(model, small_camera(), pose);
+  int pixels = 0;
+  for (int y = 0; y < 240; ++y) {
+    for (int x = 0; x < 320; ++x) {
+      const Hit hit = hit_plane(small_camera(), pose, x, y);
+      if (!(hit.z_mm > 60 && hit.z_mm < 490 && std::abs(hit.object_mm.x()) < 499)) continue;
+      ASSERT_GT(drawing.depth_mm.at<float>(y, x), 0) << x << ", " << y;
+      ++pixels;
+    }
+  }
+  EXPECT_GT(pixels, 10000);
+}
+
 TEST(RasterizedDepth, IsThatOfTheNearestSurface) {
   const auto mesh = test::make_torus(50, 20);
   const RasterModel model(mesh, false);

@@ -138,12 +138,17 @@ HWY_INLINE void SetUp(const TriangleJob& job, const Batch& batch, std::size_t fi
   group.drawn = BitsOf(drawn);
   if (group.drawn == 0) return;
   hn::Store(hn::ConvertTo(si, height), si, group.height);
-  // The longest row is at the middle corner; a little is left for roundings.
-  const auto longer_than = [&](float pixels) {
-    return BitsOf(hn::Gt(hn::Abs(area), hn::Mul(e2y, hn::Set(f, pixels - 0.1F))));
+  // The longest row is at the middle corner. A little is left for roundings, which are not small
+  // where corners are far outside the image.
+  const VF length2 =
+      hn::MulAdd(e1x, e1x, hn::MulAdd(e1y, e1y, hn::MulAdd(e2x, e2x, hn::Mul(e2y, e2y))));
+  const auto near_by = hn::Lt(length2, hn::Set(f, 4096.0F * 4096.0F));
+  const auto with_rows_of = [&](std::size_t pixels) {
+    const VF most = hn::Mul(e2y, hn::Set(f, static_cast<float>(pixels) - 0.1F));
+    return BitsOf(hn::And(near_by, hn::Lt(hn::Abs(area), most)));
   };
-  group.narrow = ~longer_than(kNarrow);
-  group.wide = longer_than(kMostLanes);
+  group.narrow = with_rows_of(kNarrow);
+  group.wide = ~with_rows_of(kMostLanes);
   group.tallest =
       static_cast<int>(hn::GetLane(hn::MaxOfLanes(f, hn::IfThenElseZero(drawn, height))));
 
@@ -154,8 +159,6 @@ HWY_INLINE void SetUp(const TriangleJob& job, const Batch& batch, std::size_t fi
   group.lower_slope = hn::Div(hn::Sub(bottom.x, middle.x), hn::Sub(bottom.y, middle.y));
 
   // Roundings of the slopes below grow with the square of the length over the area.
-  const VF length2 =
-      hn::MulAdd(e1x, e1x, hn::MulAdd(e1y, e1y, hn::MulAdd(e2x, e2x, hn::Mul(e2y, e2y))));
   group.needles = BitsOf(hn::Lt(hn::Abs(area), hn::Mul(length2, hn::Set(f, 1e-3F))));
   const VF inv_area = hn::Div(hn::Set(f, 1.0F), area);
   const auto interpolate = [&](VF a, VF b, VF c, Planes& planes) {
