@@ -29,7 +29,7 @@ Rasterizer::Rasterizer(const RasterModel& model, const CameraModel& camera, cons
   const auto width = static_cast<std::size_t>(camera.width_px);
   const auto height = static_cast<std::size_t>(camera.height_px);
   pixels_.resize((width + 15 + kPixelMargin) * (height + 1));  // a row may be filled with its next
-  const auto band = static_cast<std::size_t>((kBandRows + 2) * row_stride_of(camera.width_px));
+  const auto band = (kBandRows + 2) * static_cast<std::size_t>(row_stride_of(camera.width_px));
   rows_.resize(band);
   gradients_.resize(3 * band);
   bits_.resize((width / 64 + 2) * (height + 1));
