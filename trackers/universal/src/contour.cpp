@@ -24,6 +24,7 @@ constexpr double kSilhouetteProbe_px = 1.5;
 // Edges between these distances disturb each other; nearer ones are parts of one zigzag.
 constexpr double kCrowdedFrom_px = 1.3;
 constexpr double kCrowdedTo_px = 4.0;
+constexpr int kBendApart_px = 3;      // from edges of the mesh
 constexpr int kTextureGradient = 30;  // Sobel response of a texture edge worth following
 
 float depth_at(const ContourExtractor::View& view, int x, int y) {
@@ -119,6 +120,7 @@ void ContourExtractor::extract(const View& view, double spacing_px, bool texture
   }
   for (ContourPoint& point : points) point.crowded = is_crowded(point, view);
   if (texture_edges) add_texture_edges(view, spacing_px, points);
+  add_bends(view, spacing_px, points);
 }
 
 bool ContourExtractor::is_crowded(const ContourPoint& point, const View& view) const {
@@ -163,6 +165,7 @@ void ContourExtractor::add_mesh_edge(const MeshEdge& edge, const View& view,
   if (!(normal.norm() > 1e-12)) return;
   normal.normalize();
 
+  const bool round = silhouette && !edge.crease && !edge.border;
   const int steps = std::max(1, static_cast<int>(std::lround(length_px)));
   if (steps > 4 * (view.camera.width_px + view.camera.height_px)) return;  // touches the camera
   for (int i = 0; i < steps; ++i) {
@@ -175,14 +178,19 @@ void ContourExtractor::add_mesh_edge(const MeshEdge& edge, const View& view,
 
     const int x = static_cast<int>(std::lround(image_px.x()));
     const int y = static_cast<int>(std::lround(image_px.y()));
+    // Beside the contour of a round surface the surface falls towards the camera: a sphere of
+    // radius r by sqrt(2 r d) at a distance d.
+    const double fall_mm =
+        round ? std::sqrt(diameter_mm_ * kSilhouetteProbe_px * z_mm / view.camera.fx_px) : 0.0;
+    const double nearest_mm = z_mm - std::max(kVisibleDepth * diameter_mm_, fall_mm);
     bool visible = false;
     for (int dy = -1; dy <= 1 && !visible; ++dy) {
       for (int dx = -1; dx <= 1 && !visible; ++dx) {
-        visible = depth_at(view, x + dx, y + dy) >= z_mm - kVisibleDepth * diameter_mm_;
+        visible = depth_at(view, x + dx, y + dy) >= nearest_mm;
       }
     }
     if (!visible) continue;
-    if (silhouette && !edge.crease && !edge.border) {
+    if (round) {
       bool stands_out = false;
       for (const double side : {-kSilhouetteProbe_px, kSilhouetteProbe_px}) {
         const Eigen::Vector2d probe = image_px + side * normal;
@@ -198,6 +206,29 @@ void ContourExtractor::add_mesh_edge(const MeshEdge& edge, const View& view,
     }
     if (!claim_cell(image_px, view.region, spacing_px)) continue;
     points.push_back({(weight_from * edge.from_mm + weight_to * edge.to_mm) * z_mm, normal, false});
+  }
+}
+
+void ContourExtractor::add_bends(const View& view, double spacing_px,
+                                 std::vector<ContourPoint>& points) {
+  const cv::Point origin(view.region.x, view.region.y);
+  const Pose object_from_camera = view.camera_from_object.inverse();
+  for (const SurfaceBends::Bend& bend :
+       bends_.find(view.depth_mm, origin, view.camera, kSilhouetteDepth * diameter_mm_)) {
+    const int x = static_cast<int>(std::lround(bend.place_px.x()));
+    const int y = static_cast<int>(std::lround(bend.place_px.y()));
+    const cv::Rect around(x - kBendApart_px, y - kBendApart_px, 2 * kBendApart_px + 1,
+                          2 * kBendApart_px + 1);
+    // A crease of the mesh is there already.
+    if (cv::countNonZero(drawn_(around & cv::Rect({}, drawn_.size()))) > 0) continue;
+    const Eigen::Vector2d image_px = bend.place_px + Eigen::Vector2d(origin.x, origin.y);
+    if (!inside_image(image_px, view.camera)) continue;
+    if (!claim_cell(image_px, view.region, spacing_px)) continue;
+    const double z_mm = view.depth_mm.at<float>(y, x);
+    const Eigen::Vector3d camera_mm((image_px.x() - view.camera.cx_px) / view.camera.fx_px * z_mm,
+                                    (image_px.y() - view.camera.cy_px) / view.camera.fy_px * z_mm,
+                                    z_mm);
+    points.push_back({object_from_camera * camera_mm, bend.across, false, false, true});
   }
 }
 

@@ -11,6 +11,7 @@
 #include "anneal6d/framework/pose.h"
 #include "anneal6d/framework/triangle_mesh.h"
 #include "rasterizer.h"
+#include "surface_bends.h"
 
 namespace anneal6d {
 
@@ -23,11 +24,13 @@ struct ContourPoint {
   bool crowded = false;
   /// Of the texture: the surface gets brighter along the normal under any light.
   bool texture = false;
+  /// Where the surface bends: the image has its edge about here, depending on the light.
+  bool bend = false;
 };
 
 /// Finds the edges of a mesh that a camera sees under any light: silhouettes and creases, straight
-/// from the geometry, so that their place in the image is exact, and, for textured objects, the
-/// edges of the rendered picture. The mesh outlives it.
+/// from the geometry, so that their place in the image is exact, sharp bends of the surface, and,
+/// for objects with a pattern, the edges of the rendered picture. The mesh outlives it.
 class ContourExtractor {
  public:
   explicit ContourExtractor(const TriangleMesh& mesh);
@@ -58,6 +61,7 @@ class ContourExtractor {
   void add_mesh_edge(const MeshEdge& edge, const View& view, const Eigen::Matrix3d& rotation,
                      const Eigen::Vector3d& camera_in_object_mm, double spacing_px,
                      std::vector<ContourPoint>& points);
+  void add_bends(const View& view, double spacing_px, std::vector<ContourPoint>& points);
   void add_texture_edges(const View& view, double spacing_px, std::vector<ContourPoint>& points);
   bool claim_cell(const Eigen::Vector2d& image_px, const Region& region, double spacing_px);
   bool is_crowded(const ContourPoint& point, const View& view) const;
@@ -66,6 +70,7 @@ class ContourExtractor {
   double diameter_mm_;
   std::vector<std::uint8_t> cells_;  ///< where points were placed already
   cv::Mat drawn_;                    ///< pixels of the region that visible edges of the mesh cross
+  SurfaceBends bends_;
 };
 
 }  // namespace anneal6d

@@ -52,11 +52,20 @@ Twist MotionModel::drift() const {
 }
 
 Twist MotionModel::sigma() const {
+  Twist sigma = kSafety * seen_sigma();
+  for (int part = 0; part < 2; ++part) {
+    const auto entries = sigma.segment<3>(3 * part).array();
+    sigma.segment<3>(3 * part) = entries.max(kLeastSigma * initial_sigma_[part])
+                                     .min(kGreatestSigma * initial_sigma_[part])
+                                     .matrix();
+  }
+  return sigma;
+}
+
+Twist MotionModel::seen_sigma() const {
   Twist sigma;
   for (int part = 0; part < 2; ++part) {
-    const double seen = kSafety * std::sqrt(moments_[part].innovation);
-    sigma.segment<3>(3 * part).setConstant(std::clamp(seen, kLeastSigma * initial_sigma_[part],
-                                                      kGreatestSigma * initial_sigma_[part]));
+    sigma.segment<3>(3 * part).setConstant(std::sqrt(moments_[part].innovation));
   }
   return sigma;
 }

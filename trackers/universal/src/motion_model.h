@@ -25,6 +25,9 @@ class MotionModel {
   /// Standard deviation of what the drift leaves open, for each entry of a twist.
   Twist sigma() const;
 
+  /// The same as it was lately, without a margin or bounds.
+  Twist seen_sigma() const;
+
  private:
   /// Running moments of the rotation or of the translation of the last motions.
   struct Moments {

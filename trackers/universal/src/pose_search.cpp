@@ -20,8 +20,13 @@ constexpr double kReach_px = 10.0;
 
 }  // namespace
 
-PoseSearch::PoseSearch(PoseFilter& filter, Refiner& refiner, const Effort& effort, double radius_mm)
-    : filter_(filter), refiner_(refiner), effort_(effort), radius_mm_(radius_mm) {}
+PoseSearch::PoseSearch(PoseFilter& filter, const Refiner& refiner, Workers& workers,
+                       const Effort& effort, double radius_mm)
+    : filter_(filter),
+      refiner_(refiner),
+      workers_(workers),
+      effort_(effort),
+      radius_mm_(radius_mm) {}
 
 Refiner::Result PoseSearch::run(const Expectation& expected, const Colours& colours, RandomKey key,
                                 double focal_px) {
@@ -47,12 +52,15 @@ Refiner::Result PoseSearch::run(const Expectation& expected, const Colours& colo
   starts_.push_back(mean);
   starts_.push_back(filter_.best());
 
+  const Pose expected_pose = filter_.to_object(expected.camera_from_center);
+  found_.resize(starts_.size());
+  workers_.each(starts_.size(), 1, [&](std::size_t i) {
+    found_[i] = refiner_.refine(filter_.to_object(starts_[i]), expected_pose, kReach_px,
+                                colours.appearance);
+  });
   Refiner::Result best;
   double best_value = -std::numeric_limits<double>::infinity();
-  const Pose expected_pose = filter_.to_object(expected.camera_from_center);
-  for (const Pose& start : starts_) {
-    const Refiner::Result found =
-        refiner_.refine(filter_.to_object(start), expected_pose, kReach_px, colours.appearance);
+  for (const Refiner::Result& found : found_) {
     const double value =
         found.evidence() - expected.strangeness(filter_.to_center(found.camera_from_object));
     if (value <= best_value) continue;

@@ -7,6 +7,7 @@
 #include "anneal6d/framework/pose_scorer.h"
 #include "pose_filter.h"
 #include "refiner.h"
+#include "workers.h"
 
 namespace anneal6d {
 
@@ -33,8 +34,9 @@ class PoseSearch {
     int layers = 0;
   };
 
-  /// `filter` and `refiner` outlive the search.
-  PoseSearch(PoseFilter& filter, Refiner& refiner, const Effort& effort, double radius_mm);
+  /// `filter`, `refiner` and `workers` outlive the search.
+  PoseSearch(PoseFilter& filter, const Refiner& refiner, Workers& workers, const Effort& effort,
+             double radius_mm);
 
   struct Colours {
     const Appearance& appearance;
@@ -53,10 +55,12 @@ class PoseSearch {
   Eigen::Matrix<double, 6, 6> narrowed_spread(const Pose& mean, double focal_px) const;
 
   PoseFilter& filter_;
-  Refiner& refiner_;
+  const Refiner& refiner_;
+  Workers& workers_;
   Effort effort_;
   double radius_mm_;
   std::vector<Pose> starts_;
+  std::vector<Refiner::Result> found_;  ///< from each start
   std::vector<std::size_t> order_;
 };
 

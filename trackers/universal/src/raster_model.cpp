@@ -89,11 +89,13 @@ void pad(std::vector<float>& values) {
 RasterModel::RasterModel(std::shared_ptr<const TriangleMesh> source, bool textured)
     : mesh(std::move(source)),
       vertex_count(mesh->vertices().size()),
-      triangles(mesh->triangles().begin(), mesh->triangles().end()) {
+      triangles(mesh->triangles().begin(), mesh->triangles().end()),
+      patterned(false) {
   const bool has_texture = textured && mesh->has_texture();
   const Eigen::Vector3f tint = mesh->vertices().front().albedo_bgr;
   const bool one_tint = std::all_of(mesh->vertices().begin(), mesh->vertices().end(),
                                     [&](const MeshVertex& m) { return m.albedo_bgr == tint; });
+  patterned = has_texture || !one_tint;
   for (const MeshVertex& vertex : mesh->vertices()) {
     x.push_back(vertex.position_mm.x());
     y.push_back(vertex.position_mm.y());

@@ -33,6 +33,7 @@ struct RasterModel {
   std::vector<float> u, v;  ///< empty without texture
   std::vector<Triangle> triangles;
   std::vector<QuadTexture> textures;  ///< one a level; empty without texture
+  bool patterned;                     ///< has a texture, or vertices of different brightness
   /// Of each triangle the plane: a point is outside where its product with the unit normal
   /// (x, y, z) is larger than `plane_mm`. From outside a closed surface, those of its faces that
   /// are turned away are hidden and can be skipped. Every point is outside of triangles of an open

@@ -4,10 +4,10 @@
 
 #include <array>
 #include <opencv2/core/mat.hpp>
-#include <vector>
 
 #include "anneal6d/framework/camera_model.h"
 #include "appearance.h"
+#include "contour_match.h"
 #include "edge_line.h"
 #include "twist.h"
 #include "view_model.h"
@@ -16,7 +16,8 @@ namespace anneal6d {
 
 /// Sharpens a pose that is nearly right: Gauss-Newton on the distances, along the normals, from the
 /// object's visible edges to the image's (Drummond and Cipolla, PAMI 2002), located between pixels,
-/// chosen with the help of colours, and weighted against outliers.
+/// chosen with the help of colours, and weighted against outliers. Several threads may refine poses
+/// in one picture.
 class Refiner {
  public:
   /// `views` outlive the refiner.
@@ -25,12 +26,19 @@ class Refiner {
   /// The frame, CV_8UC1 or CV_8UC3, distortion removed; only `window` of it is looked at.
   void set_image(const cv::Mat& image, const cv::Rect& window);
   /// The window, blurred; empty if the window is outside the image.
-  SmoothPicture picture() const { return {smooth_, window_.tl()}; }
+  SmoothPicture picture() const { return {smooth_, origin_}; }
 
   struct Result {
     Pose camera_from_object;
     double support = 0;  ///< 0..1: share of the visible contour that the image confirms
     double fit = 0;      ///< 0..1: the same, of edges that are where they should be to half a pixel
+    /// The two motions that the contour shows least, such as the turn of a cup or the tilt of a
+    /// plate, where the pose was refined: twists about the centre (see twist.h) that move the
+    /// contour's points by a pixel, root mean square.
+    std::array<Twist, 2> weak_motions{Twist::Zero(), Twist::Zero()};
+    /// What edges leave of a deviation from the pose, as a map of twists: about the identity along
+    /// motions that the contour does not show, about zero along others.
+    Eigen::Matrix<double, 6, 6> unseen = Eigen::Matrix<double, 6, 6>::Identity();
 
     /// What tells the right pose from others that the image supports as well.
     double evidence() const { return support + fit; }
@@ -42,62 +50,33 @@ class Refiner {
   /// Starts with a search range of `reach_px` and narrows it. What the edges leave open, such as
   /// the turn of a cup whose handle is hidden, is taken from the expected pose.
   Result refine(const Pose& start_camera_from_object, const Pose& expected_camera_from_object,
-                double reach_px, const Appearance& appearance, Care care = Care::full);
+                double reach_px, const Appearance& appearance, Care care = Care::full) const;
 
   /// Goes on from a refined pose with `view`, the contour exactly as at that pose.
   Pose polish(const Pose& refined_camera_from_object, const Pose& expected_camera_from_object,
-              const ModelView& view, const Appearance& appearance);
-
-  /// The two motions that the contour shows least, such as the turn of a cup or the tilt of a
-  /// plate, at the last refined pose: twists about the centre (see twist.h) that move the contour's
-  /// points by a pixel, root mean square.
-  const std::array<Twist, 2>& weak_motions() const { return weak_motions_; }
+              const ModelView& view, const Appearance& appearance) const;
 
   /// How well the image confirms a pose.
   Result examine(const Pose& camera_from_object, const Appearance& appearance,
-                 Care care = Care::full);
+                 Care care = Care::full) const;
 
   /// The share of the visible contour that would have an edge near it also where it does not
   /// belong, 0..1: in a cluttered image edges confirm little.
-  double chance(const Pose& camera_from_object);
+  double chance(const Pose& camera_from_object) const;
 
   /// Teaches the colours on both sides of the silhouette.
-  void teach(const Pose& camera_from_object, Appearance& appearance);
+  void teach(const Pose& camera_from_object, Appearance& appearance) const;
 
  private:
-  using Matrix6 = Eigen::Matrix<double, 6, 6>;
-  static constexpr int kCandidates = 3;
-  /// A visible contour point and what the image shows around it.
-  struct Target {
-    Eigen::Vector3d object_mm;
-    Eigen::Vector2d image_px, normal;
-    double shift_px, trust;
-    float inside_px, outside_px;
-    bool silhouette;
-    int polarity;
-    std::array<EdgeLine::Edge, kCandidates> edges;
-    int edge_count = 0;
-  };
-
-  void project(const Pose& camera_from_object, const ModelView& view, std::size_t most_points);
-  void observe(int reach_px, const Appearance& appearance);
-  /// One Gauss-Newton step on the observations.
-  void step(Pose& camera_from_object, double reach_px);
-
-  /// The step from `here`, with what the edges cannot see left to the expected pose.
-  Twist solve(const Pose& here, const Matrix6& normal_matrix, const Twist& right_side,
-              const Twist& whole_motion, double whole_weight);
-
   Pose to_center(const Pose& camera_from_object) const;
+  ContourMatch match() const;
+  Result examine(ContourMatch& contour, const Pose& camera_from_object,
+                 const Appearance& appearance, Care care) const;
 
   const ViewModel& views_;
   CameraModel camera_;
-  cv::Mat smooth_;  ///< the frame in `window_`, blurred
-  cv::Rect window_;
-  std::vector<Target> targets_;
-  std::array<Twist, 2> weak_motions_{Twist::Zero(), Twist::Zero()};
-  std::vector<std::uint16_t> object_bins_, beside_bins_;
-  Pose expected_center_;  ///< camera_from_center
+  cv::Mat smooth_;  ///< what is looked at of the frame, blurred; empty if that is nothing
+  cv::Point origin_;
 };
 
 }  // namespace anneal6d

@@ -12,14 +12,16 @@ namespace {
 
 constexpr std::size_t kPoints = 80;  // of each view's silhouette
 constexpr std::size_t kEntries = 8;  // of a point: place, normal, inside, outside
+constexpr std::size_t kPosesPerTask = 32;
 constexpr float kClear = 6.0F * Appearance::kScale;
 static_assert(kPoints % ColourJob::kPadding == 0);
 
 }  // namespace
 
-RegionCue::RegionCue(const ViewModel& views, const CameraModel& camera)
+RegionCue::RegionCue(const ViewModel& views, const CameraModel& camera, Workers& workers)
     : views_(views),
       camera_(camera),
+      workers_(workers),
       silhouettes_(views.views().size() * kEntries * kPoints,
                    std::numeric_limits<float>::quiet_NaN()) {
   float* block = silhouettes_.data();
@@ -91,7 +93,8 @@ double RegionCue::score_one(const Pose& camera_from_object) const {
 }
 
 void RegionCue::score(std::span<const Pose> camera_from_object, std::span<double> scores) const {
-  for (std::size_t i = 0; i < scores.size(); ++i) scores[i] = score_one(camera_from_object[i]);
+  workers_.each(scores.size(), kPosesPerTask,
+                [&](std::size_t i) { scores[i] = score_one(camera_from_object[i]); });
 }
 
 }  // namespace anneal6d

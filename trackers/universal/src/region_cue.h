@@ -10,6 +10,7 @@
 #include "appearance.h"
 #include "edge_line.h"
 #include "view_model.h"
+#include "workers.h"
 
 namespace anneal6d {
 
@@ -17,8 +18,8 @@ namespace anneal6d {
 /// behind it? A cue beside the edges, quick enough for thousands of poses a frame.
 class RegionCue {
  public:
-  /// `views` outlive the cue.
-  RegionCue(const ViewModel& views, const CameraModel& camera);
+  /// `views` and `workers` outlive the cue.
+  RegionCue(const ViewModel& views, const CameraModel& camera, Workers& workers);
 
   /// Looks up the colours of the frame at half its resolution.
   void set_image(const SmoothPicture& picture, const Appearance& appearance);
@@ -31,6 +32,7 @@ class RegionCue {
 
   const ViewModel& views_;
   CameraModel camera_;
+  Workers& workers_;
   std::vector<float> silhouettes_;  ///< of all views, as the kernel wants them
   cv::Point origin_;
   int columns_ = 0, rows_ = 0;

@@ -2,10 +2,6 @@
 // Copyright (c) 2026 The Anneal6D authors
 #include "sparse_scorer.h"
 
-#include <tbb/blocked_range.h>
-#include <tbb/parallel_for.h>
-#include <tbb/task_arena.h>
-
 #include <cassert>
 #include <cmath>
 #include <string>
@@ -14,6 +10,7 @@
 #include "packed_edges.h"
 #include "sparse_kernels.h"
 #include "view_store.h"
+#include "workers.h"
 
 namespace anneal6d {
 namespace {
@@ -26,7 +23,7 @@ class SparseScorer final : public PoseScorer {
       : camera_((setup.validate(), setup.camera)),
         radius_mm_(setup.mesh->radius_mm()),
         views_(view_model_of(setup)),
-        arena_(setup.threads > 0 ? setup.threads : tbb::task_arena::automatic) {}
+        workers_(setup.threads) {}
 
   void set_edges(const EdgeImage& edges) override {
     check_edge_image(edges, {camera_.width_px, camera_.height_px});
@@ -36,17 +33,8 @@ class SparseScorer final : public PoseScorer {
   void score(std::span<const Pose> camera_from_object, std::span<EdgeMatch> matches) override {
     assert(camera_from_object.size() == matches.size());
     if (frame_packed_.size().empty()) throw ConfigError("scorer: set_edges() comes before score()");
-    const auto score_range = [&](std::size_t begin, std::size_t end) {
-      for (std::size_t i = begin; i < end; ++i) matches[i] = score_one(camera_from_object[i]);
-    };
-    if (matches.size() <= kPosesPerTask) {
-      score_range(0, matches.size());
-      return;
-    }
-    arena_.execute([&] {
-      tbb::parallel_for(tbb::blocked_range<std::size_t>(0, matches.size(), kPosesPerTask),
-                        [&](const auto& range) { score_range(range.begin(), range.end()); });
-    });
+    workers_.each(matches.size(), kPosesPerTask,
+                  [&](std::size_t i) { matches[i] = score_one(camera_from_object[i]); });
   }
 
  private:
@@ -91,7 +79,7 @@ class SparseScorer final : public PoseScorer {
   double radius_mm_;
   std::shared_ptr<const ViewModel> views_;
   PackedEdges frame_packed_;
-  tbb::task_arena arena_;
+  Workers workers_;
 };
 
 }  // namespace

@@ -11,13 +11,16 @@
 
 #include "anneal6d/framework/error.h"
 #include "anneal6d/framework/particle_filter.h"
+#include "drawn_mesh.h"
 #include "motion_model.h"
 #include "pose_filter.h"
 #include "pose_search.h"
+#include "pose_uncertainty.h"
 #include "refiner.h"
 #include "region_cue.h"
 #include "view_painter.h"
 #include "view_store.h"
+#include "workers.h"
 
 namespace anneal6d {
 namespace {
@@ -29,19 +32,21 @@ constexpr double kFitting = 0.94;  // of the usual fit: there is no need to look
 constexpr double kFitRise = 0.3, kFitFall = 0.03;  // of the newest frame in the usual fit
 constexpr double kNeighbour_px = 4.0, kNeighbourShift_px = 3.0;
 constexpr double kNeighbourReach_px = 3.0;
-constexpr int kPasses = 3;            // of the search, each twice as wide as the one before
+constexpr std::uint32_t kPasses = 3;  // of the search, each twice as wide as the one before
+constexpr double kGain = 0.03;        // in evidence, without which a search was in vain
 constexpr double kRegionWeight = 20;  // of the colours beside the edges, as the rating's c
 constexpr double kFirstSupport = 0.8;
 constexpr double kSupportRise = 0.1, kSupportFall = 0.3;  // the same in the usual support
 constexpr double kWindow_px = 30.0;  // around the object, and three deviations of its motion
 constexpr double kLeastReach_px = 6.0, kMostReach_px = 16.0;
-constexpr std::size_t kSmallModel = 4000;  // triangles, drawn in less than a millisecond
+constexpr std::size_t kSmallModel = 4000;         // triangles, drawn in less than a millisecond
+constexpr double kRight_mm = 10, kRight_deg = 2;  // what quality is the probability of
 constexpr double kLostQuality = 0.25;
 constexpr int kFramesUntilLost = 2;
 
 ScorerSetup scorer_setup(const TrackerSetup& setup, const UniversalTrackerOptions& options) {
   ScorerSetup scorer;
-  scorer.mesh = setup.mesh;
+  scorer.mesh = mesh_to_draw(setup.mesh);
   scorer.camera = setup.camera;
   scorer.edges = options.model_edges;
   scorer.textured = options.textured;
@@ -61,10 +66,11 @@ double quality_of(double support_beyond_chance) {
 /// What the default mode works with; the thesis's does without.
 struct Sight {
   Sight(const ScorerSetup& setup, PoseFilter& filter, const PoseSearch::Effort& effort)
-      : views(view_model_of(setup)),
+      : workers(setup.threads),
+        views(view_model_of(setup)),
         refiner(*views, setup.camera),
-        region(*views, setup.camera),
-        search(filter, refiner, effort, setup.mesh->radius_mm()) {
+        region(*views, setup.camera, workers),
+        search(filter, refiner, workers, effort, setup.mesh->radius_mm()) {
     filter.set_region_cue(region);
     if (setup.mesh->triangles().size() <= kSmallModel) exact = std::make_unique<Exact>(setup);
   }
@@ -78,6 +84,7 @@ struct Sight {
     ViewPainter painter;
   };
 
+  Workers workers;
   std::shared_ptr<const ViewModel> views;
   Refiner refiner;
   RegionCue region;
@@ -106,6 +113,7 @@ class UniversalTracker final : public RigidObjectTracker {
     center_ = filter_.to_center(camera_from_object);
     filter_.initialize(center_, static_cast<std::size_t>(options_.particles));  // Alg. 1
     motion_.reset();
+    uncertainty_.reset();
     last_motion_.setZero();
     frame_number_ = 0;
     bad_frames_ = 0;
@@ -154,7 +162,8 @@ class UniversalTracker final : public RigidObjectTracker {
       const double ratio = match_ratio(match_of(result.camera_from_object));
       judgement.quality = std::clamp((ratio - chance_) / std::max(1e-6, 1.0 - chance_), 0.0, 1.0);
     }
-    bad_frames_ = judgement.quality < kLostQuality ? bad_frames_ + 1 : 0;
+    const bool bad = (sight_ ? confirmation_ : judgement.quality) < kLostQuality;
+    bad_frames_ = bad ? bad_frames_ + 1 : 0;
     judgement.status = bad_frames_ >= kFramesUntilLost ? TrackStatus::lost : TrackStatus::tracking;
     return judgement;
   }
@@ -180,47 +189,34 @@ class UniversalTracker final : public RigidObjectTracker {
     result.best_camera_from_object = filter_.to_object(filter_.best());
   }
 
-  /// First the motion model's guess is refined. Where the image does not confirm that as well as
-  /// usual, particles search, wider and wider.
+  /// First the motion model's guess is refined; particles and neighbouring poses may find a better
+  /// one.
   void estimate_by_default(TrackResult& result) {
     const Pose last = center_;
     const Appearance& appearance = *sight_->appearance;
     const Pose guess = filter_.to_object(expected_.camera_from_center);
     const double reach_px = std::clamp(deviation_px(), kLeastReach_px, kMostReach_px);
     Refiner::Result best = sight_->refiner.refine(guess, guess, reach_px, appearance);
-    Expectation wider = expected_;
-    const auto confirmed_as_usual = [&](int pass) {
-      return best.support >= kSure * usual_support_ && (pass > 0 || best.fit >= kPoor * usual_fit_);
-    };
-    for (int pass = 0; pass < kPasses && !confirmed_as_usual(pass); ++pass) {
-      if (pass == 0) {
-        detect_edges_around(expected_.camera_from_center,
-                            mesh().radius_mm() + 3 * expected_.sigma[5]);
-        sight_->region.set_image(sight_->refiner.picture(), appearance);
-      }
-      const double weight = appearance.learned() ? kRegionWeight : 0.0;
-      RandomKey random = key(0);
-      random.frame = frame_number_ * kPasses + static_cast<std::uint32_t>(pass);
-      const Refiner::Result found =
-          sight_->search.run(wider, {appearance, weight}, random, camera().fx_px);
-      if (found.evidence() - strangeness(found) > best.evidence() - strangeness(best)) best = found;
-      wider.sigma *= 2.0;
-    }
+    best = search_around(best, appearance);
     best = best_of_neighbours(best, appearance);
     usual_fit_ += (best.fit > usual_fit_ ? kFitRise : kFitFall) * (best.fit - usual_fit_);
+    usual_support_ += (best.support > usual_support_ ? kSupportRise : kSupportFall) *
+                      (best.support - usual_support_);
     if (sight_->exact) {
       const ModelView view = sight_->exact->painter.paint_contour(best.camera_from_object);
       best.camera_from_object =
           sight_->refiner.polish(best.camera_from_object, guess, view, appearance);
     }
-    const double chance = sight_->refiner.chance(best.camera_from_object);
-    quality_ = quality_of((best.support - chance) / std::max(1e-6, 1.0 - chance));
-    usual_support_ += (best.support > usual_support_ ? kSupportRise : kSupportFall) *
-                      (best.support - usual_support_);
     Pose found = filter_.to_center(best.camera_from_object);
     found.rotation = symmetry_.fold(found.rotation, last.rotation);
     result.camera_from_object = result.best_camera_from_object = filter_.to_object(found);
-    const bool confirmed = quality_ >= kLostQuality;
+
+    const double chance = sight_->refiner.chance(best.camera_from_object);
+    confirmation_ = quality_of((best.support - chance) / std::max(1e-6, 1.0 - chance));
+    uncertainty_.update(motion_.seen_sigma(), best.unseen);
+    quality_ = confirmation_ * uncertainty_.probability_within(kRight_mm, kRight_deg * kDegree,
+                                                               found.rotation * symmetry_.axis);
+    const bool confirmed = confirmation_ >= kLostQuality;
     if (!confirmed && bad_frames_ > 0) {
       // Go on searching around the pose of the first bad frame.
       motion_.reset();
@@ -231,39 +227,78 @@ class UniversalTracker final : public RigidObjectTracker {
     if (confirmed) sight_->refiner.teach(result.camera_from_object, *sight_->appearance);
   }
 
+  /// Where the image does not confirm a refined pose as well as usual, particles search, wider and
+  /// wider. Where even they find nothing better, less is usual from now on: something hides the
+  /// object.
+  Refiner::Result search_around(const Refiner::Result& refined, const Appearance& appearance) {
+    const auto confirmed_as_usual = [&](const Refiner::Result& result) {
+      return result.support >= kSure * usual_support_;
+    };
+    if (confirmed_as_usual(refined) && refined.fit >= kPoor * usual_fit_) return refined;
+    detect_edges_around(expected_.camera_from_center, mesh().radius_mm() + 3 * expected_.sigma[5]);
+    sight_->region.set_image(sight_->refiner.picture(), appearance);
+    Refiner::Result best = refined;
+    Expectation wider = expected_;
+    for (std::uint32_t pass = 0; pass < kPasses; ++pass) {
+      if (pass > 0 && confirmed_as_usual(best)) break;
+      const double weight = appearance.learned() ? kRegionWeight : 0.0;
+      RandomKey random = key(0);
+      random.frame = frame_number_ * kPasses + pass;
+      const Refiner::Result found =
+          sight_->search.run(wider, {appearance, weight}, random, camera().fx_px);
+      if (likelihood(found) > likelihood(best)) best = found;
+      wider.sigma *= 2.0;
+    }
+    if (likelihood(best) < likelihood(refined) + kGain) {
+      usual_support_ = std::min(usual_support_, best.support);
+    }
+    return best;
+  }
+
   /// The same or a better pose near it: edges side by side, such as the two of a cup's rim, make
   /// false bottoms. They lie along the motions that the contour shows least and, since either edge
   /// of a rim is taken for the other, a few pixels aside. A false bottom stays from frame to frame,
   /// so that each frame looks along one motion only, unless edges fit less closely than usual.
   Refiner::Result best_of_neighbours(const Refiner::Result& refined, const Appearance& appearance) {
-    Refiner& refiner = sight_->refiner;
+    const Refiner& refiner = sight_->refiner;
     const Pose center = filter_.to_center(refined.camera_from_object);
-    const std::array<Twist, 2> weak = refiner.weak_motions();
+    const std::array<Twist, 2> weak = refined.weak_motions;
     const double shift_mm = kNeighbourShift_px * center.translation_mm.z() / camera().fx_px;
     const std::array<Twist, 4> motions = {kNeighbour_px * weak[0], shift_mm * Twist::Unit(4),
                                           kNeighbour_px * weak[1], shift_mm * Twist::Unit(3)};
     const bool doubtful = refined.fit < kFitting * usual_fit_;
-    Refiner::Result best =
-        refiner.examine(refined.camera_from_object, appearance, Refiner::Care::quick);
-    const auto likely = [&](const Refiner::Result& result) {
-      return result.fit - strangeness(result);
-    };
-    bool better = false;
+    std::vector<Pose> starts;
     for (std::size_t i = 0; i < motions.size(); ++i) {
       if (!doubtful && i != frame_number_ % motions.size()) continue;
       for (const double side : {-1.0, 1.0}) {
-        const Pose start = filter_.to_object(moved(center, side * motions[i]));
-        const Refiner::Result other =
-            refiner.refine(start, start, kNeighbourReach_px, appearance, Refiner::Care::quick);
-        if (likely(other) <= likely(best)) continue;
-        best = other;
-        better = true;
+        starts.push_back(filter_.to_object(moved(center, side * motions[i])));
       }
+    }
+    std::vector<Refiner::Result> others(starts.size() + 1);
+    sight_->workers.each(others.size(), 1, [&](std::size_t i) {
+      others[i] = i < starts.size() ? refiner.refine(starts[i], starts[i], kNeighbourReach_px,
+                                                     appearance, Refiner::Care::quick)
+                                    : refiner.examine(refined.camera_from_object, appearance,
+                                                      Refiner::Care::quick);
+    });
+    const auto likely = [&](const Refiner::Result& result) {
+      return result.fit - strangeness(result);
+    };
+    Refiner::Result best = others.back();
+    bool better = false;
+    for (const Refiner::Result& other : others) {
+      if (likely(other) <= likely(best)) continue;
+      best = other;
+      better = true;
     }
     if (!better) return refined;
     best = refiner.refine(best.camera_from_object, best.camera_from_object, kNeighbourReach_px,
                           appearance);
     return likely(best) > likely(refined) ? best : refined;
+  }
+
+  double likelihood(const Refiner::Result& result) const {
+    return result.evidence() - strangeness(result);
   }
 
   double strangeness(const Refiner::Result& result) const {
@@ -343,6 +378,7 @@ class UniversalTracker final : public RigidObjectTracker {
   std::unique_ptr<PoseScorer> scorer_;
   PoseFilter filter_;
   MotionModel motion_;
+  PoseUncertainty uncertainty_;
   std::optional<Sight> sight_;  ///< of the default mode
   EdgeDetector edge_detector_;
 
@@ -351,7 +387,9 @@ class UniversalTracker final : public RigidObjectTracker {
   Twist last_motion_ = Twist::Zero();
   std::uint32_t frame_number_ = 0;
   int bad_frames_ = 0;
-  double quality_ = 0;                        ///< of the last estimate
+  /// Of the last estimate: how far the image confirms it, and that times the chance that it did not
+  /// move away unseen.
+  double confirmation_ = 0, quality_ = 0;
   double usual_support_ = 0, usual_fit_ = 0;  ///< of estimates lately
   cv::Mat image_;
   EdgeImage edges_, edges_around_;

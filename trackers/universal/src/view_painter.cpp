@@ -24,6 +24,7 @@ constexpr int kShiftReach_px = 2;
 constexpr double kMostShift_px = 0.7;  // of an edge that stands alone
 constexpr float kCrowdedTrust = 0.5F;
 constexpr float kBlindTrust = 0.1F;
+constexpr float kBendTrust = 0.5F;
 
 /// Reproducible on every platform, which std::shuffle is not.
 template <class Values>
@@ -84,7 +85,7 @@ ModelView ViewPainter::paint_contour(const Pose& camera_from_object) {
   if (region_.empty()) return view;
   rasterizer_.take_images(grey_, depth_mm_);
   extractor_.extract({camera_from_object, camera_, region_, grey_, depth_mm_}, kSpacing_px,
-                     !model_.textures.empty(), points_);
+                     model_.patterned, points_);
   cv::GaussianBlur(grey_, smooth_grey_, {}, kEdgeBlur_px, kEdgeBlur_px, cv::BORDER_REPLICATE);
   for (const ContourPoint& point : points_) {
     view.contour.push_back(sample_of(point, camera_from_object));
@@ -133,6 +134,10 @@ ContourSample ViewPainter::sample_of(const ContourPoint& point,
     sample.outside_mm = static_cast<float>(outside * mm_per_px);
   }
 
+  if (point.bend) {
+    sample.trust = kBendTrust;
+    return sample;
+  }
   const EdgeLine line({smooth_grey_, {region_.x, region_.y}}, image_px, normal, kShiftReach_px);
   const EdgeLine::Edge seen = line.strongest();
   const double most_px = point.crowded ? kShiftReach_px : kMostShift_px;

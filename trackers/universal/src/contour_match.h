@@ -1,0 +1,82 @@
+// SPDX-License-Identifier: BSD-3-Clause
+// Copyright (c) 2026 The Anneal6D authors
+#pragma once
+
+#include <Eigen/Core>
+#include <array>
+#include <vector>
+
+#include "anneal6d/framework/camera_model.h"
+#include "appearance.h"
+#include "edge_line.h"
+#include "twist.h"
+#include "view_model.h"
+
+namespace anneal6d {
+
+/// The visible contour at a pose, what the image shows across it, and the motion that brings both
+/// together. For one refinement at a time.
+class ContourMatch {
+ public:
+  static constexpr std::size_t kCandidates = 3;
+
+  /// A visible contour point and the edges that the image shows around it.
+  struct Target {
+    Eigen::Vector3d camera_mm;
+    Eigen::Vector2d image_px, normal;
+    double shift_px, trust;
+    float inside_px, outside_px;
+    bool silhouette;
+    int polarity;
+    std::array<EdgeLine::Edge, kCandidates> edges;
+    int edge_count = 0;
+    /// Of the place along the normal, and of the squared motion in the image (both directions), for
+    /// each entry of a twist about the object's centre; only where there are edges.
+    Twist jacobian = Twist::Zero(), sweep = Twist::Zero();
+  };
+
+  /// `center_mm`: the centre of the object, object frame. Picture and camera outlive the match.
+  ContourMatch(const SmoothPicture& picture, const CameraModel& camera,
+               const Eigen::Vector3d& center_mm);
+
+  /// What the edges leave open, such as the turn of a cup whose handle is hidden, is taken from
+  /// this pose (camera_from_center).
+  void expect(const Pose& camera_from_center) { expected_center_ = camera_from_center; }
+
+  /// Takes the first `most_points` of a view's contour, as far as they are in the picture.
+  void project(const Pose& camera_from_object, const ModelView& view, std::size_t most_points);
+
+  const std::vector<Target>& targets() const { return targets_; }
+
+  /// Finds the edges up to `reach_px` from each target.
+  void observe(int reach_px, const Appearance& appearance);
+
+  /// One Gauss-Newton step on what was observed; edges farther away than `reach_px` count nothing.
+  void step(double reach_px);
+
+  /// Where the steps since the projection led.
+  Pose camera_from_object() const;
+
+  /// See Refiner::Result; at the last step.
+  std::array<Twist, 2> weak_motions() const;
+  /// See Refiner::Result; at the last step.
+  Eigen::Matrix<double, 6, 6> unseen() const;
+
+ private:
+  using Matrix6 = Eigen::Matrix<double, 6, 6>;
+
+  SmoothPicture picture_;
+  const CameraModel& camera_;
+  Eigen::Vector3d center_mm_;
+  Pose expected_center_;
+  std::vector<Target> targets_;
+  Pose start_;  ///< camera_from_center of the projection
+  Twist motion_ = Twist::Zero();
+  // Of the last step: how far each entry of a twist is to move the points equally far, the normal
+  // matrix in these units, and the sum of the weights.
+  Twist unit_ = Twist::Ones();
+  Matrix6 shares_ = Matrix6::Identity();
+  double whole_weight_ = 0;
+};
+
+}  // namespace anneal6d

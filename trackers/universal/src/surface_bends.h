@@ -1,0 +1,45 @@
+// SPDX-License-Identifier: BSD-3-Clause
+// Copyright (c) 2026 The Anneal6D authors
+#pragma once
+
+#include <Eigen/Core>
+#include <opencv2/core/mat.hpp>
+#include <vector>
+
+#include "anneal6d/framework/camera_model.h"
+
+namespace anneal6d {
+
+/// Finds where a surface bends sharply, though without a crease of the mesh: the rounded edges of
+/// boxes, of bricks, of everything that was scanned. Light falls differently on both sides, so that
+/// an image has an edge there.
+class SurfaceBends {
+ public:
+  struct Bend {
+    Eigen::Vector2d place_px;  ///< in the depth image, between pixels
+    Eigen::Vector2d across;    ///< unit, the direction in which the surface turns fastest
+  };
+
+  /// `depth_mm`: CV_32FC1, 0 outside the object; its first pixel is at `origin` of the camera's
+  /// image. A step of more than `jump_mm` between neighbours is no surface. The bends are valid
+  /// until the next call.
+  const std::vector<Bend>& find(const cv::Mat& depth_mm, const cv::Point& origin,
+                                const CameraModel& camera, double jump_mm);
+
+ private:
+  void find_normals(const cv::Mat& depth_mm, const cv::Point& origin, const CameraModel& camera,
+                    double jump_mm);
+  /// How far the normal turns between two pixels before and behind one, and the products of its
+  /// differences along rows and columns, which tell the direction.
+  struct Turn {
+    float amount = 0;  ///< about the angle, rad; 0 where there is no surface all around
+    float xx = 0, yy = 0, xy = 0;
+  };
+  Turn turn_at(int x, int y) const;
+
+  cv::Mat normals_;  ///< CV_32FC3, camera frame; zero where there is none
+  cv::Mat amounts_;  ///< CV_32FC1, Turn::amount
+  std::vector<Bend> bends_;
+};
+
+}  // namespace anneal6d

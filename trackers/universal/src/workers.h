@@ -1,0 +1,37 @@
+// SPDX-License-Identifier: BSD-3-Clause
+// Copyright (c) 2026 The Anneal6D authors
+#pragma once
+
+#include <tbb/blocked_range.h>
+#include <tbb/parallel_for.h>
+#include <tbb/task_arena.h>
+
+#include <cstddef>
+
+namespace anneal6d {
+
+/// Threads for loops whose passes do not depend on each other.
+class Workers {
+ public:
+  /// 0 threads: as many as there are cores.
+  explicit Workers(int threads) : arena_(threads > 0 ? threads : tbb::task_arena::automatic) {}
+
+  /// Calls `pass(i)` for each i below `count`, in any order; `grain` passes are worth a task.
+  template <class Pass>
+  void each(std::size_t count, std::size_t grain, const Pass& pass) {
+    if (count <= grain) {
+      for (std::size_t i = 0; i < count; ++i) pass(i);
+      return;
+    }
+    arena_.execute([&] {
+      tbb::parallel_for(tbb::blocked_range<std::size_t>(0, count, grain), [&](const auto& range) {
+        for (std::size_t i = range.begin(); i < range.end(); ++i) pass(i);
+      });
+    });
+  }
+
+ private:
+  tbb::task_arena arena_;
+};
+
+}  // namespace anneal6d
