@@ -48,7 +48,8 @@ class ColouredBox : public testing::Test {
   cv::Mat image_;
   Appearance appearance_{3};
   Refiner refiner_{views(), camera_};
-  RegionCue cue_{views(), camera_};
+  Workers workers_{1};
+  RegionCue cue_{views(), camera_, workers_};
 };
 
 TEST_F(ColouredBox, SaysNothingBeforeColoursAreLearned) { EXPECT_EQ(score(truth_), 0); }

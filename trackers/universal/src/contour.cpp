@@ -17,6 +17,7 @@ namespace {
 // Faces meeting sharper look like an edge.
 const double kCreaseCosine = std::cos(35.0 * (std::numbers::pi / 180.0));
 const double kSmoothCosine = std::cos(30.0 * (std::numbers::pi / 180.0));
+const double kBentCosine = std::cos(8.0 * (std::numbers::pi / 180.0));
 constexpr double kCreaseLength = 0.03;     // of the diameter; shorter creases are a scan's noise
 constexpr double kVisibleDepth = 0.01;     // of the diameter: tolerance of the hidden-point test
 constexpr double kSilhouetteDepth = 0.02;  // of the diameter: a silhouette has at least this behind
@@ -88,6 +89,7 @@ ContourExtractor::ContourExtractor(const TriangleMesh& mesh) : diameter_mm_(mesh
     edge.crease =
         !edge.border && cosine < kCreaseCosine && length_mm > kCreaseLength * diameter_mm_;
     edge.smooth = !edge.border && cosine > kSmoothCosine;
+    bent_ |= !edge.border && !edge.crease && cosine < kBentCosine;
     // Edges inside a flat face can never be seen.
     if (edge.border || cosine < 1.0 - 1e-9) edges_.push_back(edge);
   }
@@ -120,7 +122,7 @@ void ContourExtractor::extract(const View& view, double spacing_px, bool texture
   }
   for (ContourPoint& point : points) point.crowded = is_crowded(point, view);
   if (texture_edges) add_texture_edges(view, spacing_px, points);
-  add_bends(view, spacing_px, points);
+  if (bent_) add_bends(view, spacing_px, points);
 }
 
 bool ContourExtractor::is_crowded(const ContourPoint& point, const View& view) const {

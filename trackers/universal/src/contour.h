@@ -68,6 +68,7 @@ class ContourExtractor {
 
   std::vector<MeshEdge> edges_;
   double diameter_mm_;
+  bool bent_ = false;                ///< the surface has bends that are no creases
   std::vector<std::uint8_t> cells_;  ///< where points were placed already
   cv::Mat drawn_;                    ///< pixels of the region that visible edges of the mesh cross
   SurfaceBends bends_;

@@ -12,6 +12,8 @@ constexpr int kReach_px = 2;        // to both sides, where normals are compared
 constexpr int kBeside_px = 4;       // where a bend must be over
 constexpr float kLeastTurn = 0.5F;  // rad
 constexpr float kBesideShare = 0.6F;
+constexpr float kFlat = 0.25F;  // rad, less is not told apart
+static_assert(kFlat < kBesideShare * kLeastTurn);
 
 }  // namespace
 
@@ -48,13 +50,19 @@ void SurfaceBends::find_normals(const cv::Mat& depth_mm, const cv::Point& origin
 
 SurfaceBends::Turn SurfaceBends::turn_at(int x, int y) const {
   Turn turn;
-  const auto normal = [&](int dx, int dy) { return normals_.at<cv::Vec3f>(y + dy, x + dx); };
-  const cv::Vec3f left = normal(-kReach_px, 0), right = normal(kReach_px, 0);
-  const cv::Vec3f above = normal(0, -kReach_px), below = normal(0, kReach_px);
+  const auto* const row = normals_.ptr<cv::Vec3f>(y);
+  const cv::Vec3f& left = row[x - kReach_px];
+  const cv::Vec3f& right = row[x + kReach_px];
+  const cv::Vec3f& above = normals_.ptr<cv::Vec3f>(y - kReach_px)[x];
+  const cv::Vec3f& below = normals_.ptr<cv::Vec3f>(y + kReach_px)[x];
   if (left[2] == 0 || right[2] == 0 || above[2] == 0 || below[2] == 0) return turn;
   const cv::Vec3f along_x = right - left, along_y = below - above;
   turn.xx = along_x.dot(along_x);
   turn.yy = along_y.dot(along_y);
+  if (turn.xx + turn.yy < kFlat * kFlat) {  // most of a surface
+    turn.amount = kFlat;
+    return turn;
+  }
   turn.xy = along_x.dot(along_y);
   const float half = 0.5F * (turn.xx - turn.yy);
   turn.amount = std::sqrt(0.5F * (turn.xx + turn.yy) + std::hypot(half, turn.xy));
@@ -70,13 +78,13 @@ const std::vector<SurfaceBends::Bend>& SurfaceBends::find(const cv::Mat& depth_m
   amounts_.create(depth_mm.size(), CV_32FC1);
   amounts_.setTo(0);
   for (int y = kReach_px; y < depth_mm.rows - kReach_px; ++y) {
-    for (int x = kReach_px; x < depth_mm.cols - kReach_px; ++x) {
-      amounts_.at<float>(y, x) = turn_at(x, y).amount;
-    }
+    auto* const amounts = amounts_.ptr<float>(y);
+    for (int x = kReach_px; x < depth_mm.cols - kReach_px; ++x) amounts[x] = turn_at(x, y).amount;
   }
   for (int y = kBeside_px; y < depth_mm.rows - kBeside_px; ++y) {
+    const auto* const amounts = amounts_.ptr<float>(y);
     for (int x = kBeside_px; x < depth_mm.cols - kBeside_px; ++x) {
-      const float here = amounts_.at<float>(y, x);
+      const float here = amounts[x];
       if (here < kLeastTurn) continue;
       const Turn turn = turn_at(x, y);
       const double angle = 0.5 * std::atan2(2.0 * turn.xy, turn.xx - turn.yy);
