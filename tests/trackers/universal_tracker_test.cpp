@@ -22,7 +22,7 @@ using test::SharedMesh;
 
 using Values = std::initializer_list<std::pair<std::string, std::string>>;
 
-const SharedMesh& box() {
+const SharedMesh& tracked_box() {
   static const SharedMesh mesh = test::make_box(90, 60, 75);
   return mesh;
 }
@@ -37,7 +37,7 @@ TrackerSetup setup_for(const SharedMesh& mesh, const Values& values) {
 }
 
 std::unique_ptr<RigidObjectTracker> make_tracker(const Values& values = {},
-                                                 const SharedMesh& mesh = box()) {
+                                                 const SharedMesh& mesh = tracked_box()) {
   return make_plugin(tracker_plugins(), "tracker", "universal", setup_for(mesh, values));
 }
 
@@ -56,13 +56,13 @@ Frame frame_of(const cv::Mat& image, std::int64_t index) {
 
 Sequence moving_sequence(int frames) {
   Sequence sequence;
-  const RasterModel model(box(), false);
+  const RasterModel model(tracked_box(), false);
   const Pose start{rotation_from_axis_angle(Eigen::Vector3d::UnitX(), 0.6) *
                        rotation_from_axis_angle(Eigen::Vector3d::UnitY(), 0.7),
                    {-20, -3, 340}};
   for (int i = 0; i < frames; ++i) {
     const double t = 0.25 * i;
-    const Pose pose = beside(*box(), start, {5 * std::sin(t), 8 * (1 - std::cos(t)), 4 * t},
+    const Pose pose = beside(*tracked_box(), start, {5 * std::sin(t), 8 * (1 - std::cos(t)), 4 * t},
                              {12 * t, 10 * std::sin(t), 15 * (1 - std::cos(t))});
     sequence.truth.push_back(pose);
     sequence.frames.push_back(
@@ -111,13 +111,14 @@ TEST_P(UniversalTracking, FollowsAMovingObject) {
   std::vector<double> errors_mm, errors_deg;
   for (std::size_t i = 0; i < results.size(); ++i) {
     const Pose& pose = results[i].camera_from_object;
-    errors_mm.push_back(center_distance_mm(*box(), pose, sequence.truth[i]));
+    errors_mm.push_back(center_distance_mm(*tracked_box(), pose, sequence.truth[i]));
     errors_deg.push_back(angle_deg(pose, sequence.truth[i]));
     // Single frames may be worse where a face and the background look alike.
     EXPECT_LT(errors_mm.back(), 5 + GetParam().reach_mm) << "frame " << i;
     EXPECT_LT(errors_deg.back(), 3 + GetParam().reach_deg) << "frame " << i;
-    EXPECT_LT(center_distance_mm(*box(), results[i].best_camera_from_object, sequence.truth[i]),
-              3 * GetParam().reach_mm + 5)
+    EXPECT_LT(
+        center_distance_mm(*tracked_box(), results[i].best_camera_from_object, sequence.truth[i]),
+        3 * GetParam().reach_mm + 5)
         << "frame " << i;
     EXPECT_EQ(results[i].status, TrackStatus::tracking) << "frame " << i;
     EXPECT_GT(results[i].quality, 0.5) << "frame " << i;
@@ -166,7 +167,7 @@ TEST_P(UniversalTracking, StartsAnewAfterAReset) {
 TEST_P(UniversalTracking, DrawsOtherParticlesForAnotherSeed) {
   // From so far aside that the particles have to look for the object.
   Sequence sequence = moving_sequence(1);
-  sequence.truth[0] = beside(*box(), sequence.truth[0], {6, 0, 0}, {20, 0, 0});
+  sequence.truth[0] = beside(*tracked_box(), sequence.truth[0], {6, 0, 0}, {20, 0, 0});
   EXPECT_NE(track(*make("0", "1"), sequence)[0].best_camera_from_object.translation_mm,
             track(*make("0", "2"), sequence)[0].best_camera_from_object.translation_mm);
 }
@@ -176,7 +177,7 @@ TEST_P(UniversalTracking, StaysOnAStillImage) {
   still.frames.resize(10, still.frames[0]);
   const auto tracker = make();
   for (const TrackResult& result : track(*tracker, still)) {
-    EXPECT_LT(center_distance_mm(*box(), result.camera_from_object, still.truth[0]),
+    EXPECT_LT(center_distance_mm(*tracked_box(), result.camera_from_object, still.truth[0]),
               GetParam().reach_mm);
     EXPECT_LT(angle_deg(result.camera_from_object, still.truth[0]), GetParam().reach_deg);
   }
@@ -227,8 +228,9 @@ TEST_P(UniversalTracking, TakesColourFrames) {
   }
   const auto tracker = make();
   const auto results = track(*tracker, sequence);
-  EXPECT_LT(center_distance_mm(*box(), results.back().camera_from_object, sequence.truth.back()),
-            GetParam().reach_mm);
+  EXPECT_LT(
+      center_distance_mm(*tracked_box(), results.back().camera_from_object, sequence.truth.back()),
+      GetParam().reach_mm);
 }
 
 TEST_P(UniversalTracking, LeavesTheFrameAsItIs) {
@@ -273,7 +275,8 @@ TEST(UniversalTrackerOfABoxThatIsGoneForAWhile, SaysSoAndFindsItAgain) {
       } else if (i > kBack) {
         EXPECT_EQ(result.status, TrackStatus::tracking);
         EXPECT_GT(result.quality, 0.5);
-        EXPECT_LT(center_distance_mm(*box(), result.camera_from_object, sequence.truth[i]), 2);
+        EXPECT_LT(center_distance_mm(*tracked_box(), result.camera_from_object, sequence.truth[i]),
+                  2);
         EXPECT_LT(angle_deg(result.camera_from_object, sequence.truth[i]), 1);
       }
     }
@@ -321,10 +324,10 @@ TEST(MakingAUniversalTracker, ListsTheScorersForAnUnknownOne) {
 
 TEST(MakingAUniversalTracker, NeedsAMeshACameraAndAScorer) {
   EXPECT_THROW(make_universal_tracker(setup_for(nullptr, {})), ConfigError);
-  TrackerSetup setup = setup_for(box(), {});
+  TrackerSetup setup = setup_for(tracked_box(), {});
   setup.camera.fx_px = -1;
   EXPECT_THROW(make_universal_tracker(setup), ConfigError);
-  setup = setup_for(box(), {});
+  setup = setup_for(tracked_box(), {});
   setup.scorers.clear();
   EXPECT_THROW(make_universal_tracker(setup), ConfigError);
 }

@@ -26,12 +26,20 @@ struct Workspace {
   EdgeImage edges;
 };
 
+/// Canny's low threshold follows from the high one if it is not given.
+EdgeOptions with_thresholds(EdgeOptions options) {
+  if (options.op == EdgeOperator::canny) {
+    options.low_threshold = EdgeDetector().thresholds({}, options).low;
+  }
+  return options;
+}
+
 class CpuScorer final : public PoseScorer {
  public:
   explicit CpuScorer(const ScorerSetup& setup)
       : model_((setup.validate(), setup.mesh), setup.textured),
         camera_(setup.camera),
-        edges_(setup.edges),
+        edges_(with_thresholds(setup.edges)),
         workspaces_([this, shading = setup.shading] {
           return Workspace{Rasterizer(model_, camera_, shading), {}, {}, {}};
         }),
@@ -59,7 +67,7 @@ class CpuScorer final : public PoseScorer {
 
  private:
   EdgeMatch score_one(Workspace& workspace, const Pose& camera_from_object) const {
-    const bool fused = edges_.op != EdgeOperator::canny && edges_.blur_sigma_px <= 0;
+    const bool fused = edges_.blur_sigma_px <= 0;
     // Canny's smoothing-free gradients and non-maximum suppression reach two pixels, a Gaussian
     // three of its sigmas.
     const int reach_px = 2 + static_cast<int>(std::ceil(4 * edges_.blur_sigma_px));
