@@ -49,10 +49,10 @@ struct ScorerSetup {
   bool textured = true;  ///< false: ignore the model's texture
   int threads = 0;       ///< CPU threads, 0: all
   /// Folder for what is computed once per model, made if need be; empty: nothing is kept.
-  std::filesystem::path view_cache;
+  std::filesystem::path view_cache = {};
   /// Told the share done (0..1) of a long preparation, from any thread, one call at a time; may be
   /// empty.
-  std::function<void(double)> progress;
+  std::function<void(double)> progress = {};
 
   /// Throws ConfigError: no mesh, bad camera, bad or automatic thresholds, negative threads.
   void validate() const;
