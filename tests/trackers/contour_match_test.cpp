@@ -55,7 +55,7 @@ double size_mm(const Twist& twist) {
 
 TEST(WhatEdgesOfACylinderLeaveOpen, IsTheTurnAboutItsAxis) {
   const Twist turn = turn_about(axis());
-  EXPECT_LT(size_mm(refined_cylinder().unseen * turn - turn), 0.1 * size_mm(turn));
+  EXPECT_LT(size_mm(refined_cylinder().unseen * turn - turn), 0.15 * size_mm(turn));
 }
 
 TEST(WhatEdgesOfACylinderLeaveOpen, IsNoShift) {

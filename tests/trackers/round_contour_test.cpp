@@ -168,11 +168,17 @@ TEST(ContourOfABoxWithSharpEdges, HasNoBends) {
 // Few facets: the side counts as bent. The rim of the cap is a crease.
 TEST(ContourOfACylinderOfFewFacets, HasNoBendsBesideItsRim) {
   const auto can = test::make_cylinder(90, 35, 24);
-  const Pose pose{rotation_from_axis_angle(Eigen::Vector3d::UnitX(), 0.9), {0, 0, 320}};
-  const RoundView view = view_of(can, pose);
-  EXPECT_GT(view.bends.size(), 20U) << "the surface bends there, too";
-  for (const ContourPoint& point : view.contour) {
-    EXPECT_FALSE(point.bend) << point.object_mm.transpose();
+  for (const double tilt_rad : {0.6, 0.75, 0.9}) {
+    for (const double distance_mm : {220, 270, 320, 400}) {
+      const Pose pose{rotation_from_axis_angle(Eigen::Vector3d::UnitX(), tilt_rad),
+                      {0, 0, distance_mm}};
+      const RoundView view = view_of(can, pose);
+      EXPECT_GT(view.bends.size(), 20U) << "the surface bends there, too";
+      for (const ContourPoint& point : view.contour) {
+        EXPECT_FALSE(point.bend) << point.object_mm.transpose() << " seen from " << distance_mm
+                                 << " mm, tilted by " << tilt_rad;
+      }
+    }
   }
 }
 
