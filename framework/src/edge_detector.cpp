@@ -106,9 +106,14 @@ cv::Mat EdgeDetector::magnitude() {
   cv::convertScaleAbs(gy_, y);
   cv::max(x, y, x);
   if (channels == 1) return x;
-  cv::Mat largest = largest_.image({1, static_cast<int>(x.total())}, CV_8UC1);
-  cv::reduce(x.reshape(1, largest.rows), largest, 1, cv::REDUCE_MAX);
-  return largest.reshape(1, x.rows);
+  cv::Mat largest = largest_.image(x.size(), CV_8UC1);
+  cv::Mat next = channel_.image(x.size(), CV_8UC1);
+  cv::extractChannel(x, largest, 0);
+  for (int c = 1; c < channels; ++c) {
+    cv::extractChannel(x, next, c);
+    cv::max(largest, next, largest);
+  }
+  return largest;
 }
 
 cv::Mat EdgeDetector::gradient(const cv::Mat& image, EdgeOperator op) {

@@ -62,18 +62,26 @@ TEST(PackedEdgeImage, ForgetsTheImageBefore) {
   }
 }
 
+using Bits = std::vector<std::uint64_t>;
+
+Bits packed_words(const cv::Mat& binary) {
+  const int words = (binary.cols + 63) / 64;
+  Bits bits(static_cast<std::size_t>(words * binary.rows));
+  for (int y = 0; y < binary.rows; ++y) {
+    for (int x = 0; x < binary.cols; ++x) {
+      if (!binary.at<std::uint8_t>(y, x)) continue;
+      bits[static_cast<std::size_t>(y * words + x / 64)] |= std::uint64_t{1} << (x % 64);
+    }
+  }
+  return bits;
+}
+
 TEST(DilatingBits, WidensAsOpenCVDoes) {
   for (const int width : {1, 30, 63, 64, 65, 127, 128, 131}) {
     for (const int radius : {0, 1, 2, 5, 8}) {
       const cv::Mat binary = random_binary(width, 23, 3);
       const int words = (width + 63) / 64;
-      std::vector<std::uint64_t> bits(static_cast<std::size_t>(words * binary.rows)), scratch;
-      for (int y = 0; y < binary.rows; ++y) {
-        for (int x = 0; x < width; ++x) {
-          if (!binary.at<std::uint8_t>(y, x)) continue;
-          bits[static_cast<std::size_t>(y * words + x / 64)] |= std::uint64_t{1} << (x % 64);
-        }
-      }
+      Bits bits = packed_words(binary), scratch;
       dilate_bits(bits, scratch, width, binary.rows, words, radius);
 
       cv::Mat expected;
@@ -88,6 +96,56 @@ TEST(DilatingBits, WidensAsOpenCVDoes) {
       }
     }
   }
+}
+
+TEST(GrowingBits, TakesTheComponentsThatHoldABit) {
+  for (const int width : {1, 40, 64, 65, 130, 200}) {
+    for (const int percent : {20, 40, 60, 100}) {  // 40: pieces that wind through many rows
+      const cv::Mat candidates = random_binary(width, 57, percent);
+      cv::Mat seeds = cv::Mat::zeros(candidates.size(), CV_8UC1);
+      for (int y = 3; y < candidates.rows; y += 17) {
+        const int x = y * 31 % width;
+        seeds.at<std::uint8_t>(y, x) = candidates.at<std::uint8_t>(y, x);
+      }
+      Bits bits = packed_words(seeds);
+      grow_bits(bits, packed_words(candidates), candidates.rows, (width + 63) / 64);
+
+      cv::Mat labels, expected = cv::Mat::zeros(candidates.size(), CV_8UC1);
+      cv::connectedComponents(candidates, labels, 8);
+      std::vector<cv::Point> places;
+      cv::findNonZero(seeds, places);
+      for (const cv::Point& place : places) expected.setTo(255, labels == labels.at<int>(place));
+      EXPECT_EQ(bits, packed_words(expected)) << width << " wide, " << percent << " percent";
+    }
+  }
+}
+
+TEST(GrowingBits, FollowsASpiral) {
+  // One pixel wide, with one pixel between its turns; seeded in the middle.
+  constexpr int kSide = 131;
+  cv::Mat spiral = cv::Mat::zeros(kSide, kSide, CV_8UC1);
+  cv::Point at(0, 0), step(1, 0);
+  spiral.at<std::uint8_t>(at) = 255;
+  const cv::Rect inside(0, 0, kSide, kSide);
+  for (int turned = 0; turned < 2;) {
+    const cv::Point next = at + step, after = next + step;
+    const bool free =
+        inside.contains(next) && !(inside.contains(after) && spiral.at<std::uint8_t>(after) != 0);
+    if (free) {
+      at = next;
+      spiral.at<std::uint8_t>(at) = 255;
+      turned = 0;
+    } else {
+      step = {-step.y, step.x};
+      ++turned;
+    }
+  }
+  cv::Mat seed = cv::Mat::zeros(spiral.size(), CV_8UC1);
+  seed.at<std::uint8_t>(at) = 255;
+  Bits bits = packed_words(seed);
+  grow_bits(bits, packed_words(spiral), kSide, (kSide + 63) / 64);
+  EXPECT_GT(cv::countNonZero(spiral), kSide * kSide / 3);
+  EXPECT_EQ(bits, packed_words(spiral));
 }
 
 }  // namespace

@@ -5,10 +5,8 @@
 #include <gtest/gtest.h>
 
 #include <algorithm>
-#include <ostream>
-#include <string>
 
-#include "anneal6d/framework/edge_detector.h"
+#include "instruction_sets.h"
 #include "special_numbers.h"
 #include "synthetic.h"
 
@@ -94,6 +92,60 @@ TEST(RasterizedDepth, IsExactWhereThePlaneCrossesTheNearPlane) {
       } else if (hit.z_mm > 60 && hit.z_mm < 490 && std::abs(hit.object_mm.x()) < 499) {
         ADD_FAILURE() << "hole at " << x << ", " << y;
       }
+    }
+  }
+  EXPECT_GT(pixels, 10000);
+}
+
+TEST(RasterizedDepth, IsThereInRowsOfEveryLength) {
+  // Short rows are filled several at a time, long ones in pieces.
+  for (const std::int64_t target : test::instruction_sets()) {
+    const test::OnInstructionSet on(target);
+    for (float width_mm = 0.5F; width_mm < 36; width_mm += 0.5F) {
+      const RasterModel model(make_plate(width_mm, 30), false);
+      const Pose pose = tilted(0, 10, 300);
+      const Drawing drawing = draw(model, small_camera(), pose);
+      for (int y = 100; y < 140; ++y) {
+        for (int x = 140; x < 180; ++x) {
+          const Hit hit = hit_plane(small_camera(), pose, x, y);
+          const double inside_mm = std::min(0.5 * width_mm - std::abs(hit.object_mm.x()),
+                                            15 - std::abs(hit.object_mm.y()));
+          if (std::abs(inside_mm) < 0.01) continue;
+          ASSERT_EQ(drawing.depth_mm.at<float>(y, x) > 0, inside_mm > 0)
+              << hwy::TargetName(target) << ", " << width_mm << " wide, at " << x << ", " << y;
+        }
+      }
+    }
+  }
+}
+
+TEST(RasterizedDepth, HasNoHolesWherePlanksCrossTheNearPlane) {
+  // A floor of planks from behind the camera to far before it: some pixels wide, but cut where they
+  // are thousands of pixels below the image.
+  std::vector<MeshVertex> vertices;
+  std::vector<Triangle> triangles;
+  constexpr std::uint32_t kPlanks = 250;
+  for (std::uint32_t i = 0; i <= kPlanks; ++i) {
+    const float x_mm = -500 + 1000 * static_cast<float>(i) / kPlanks;
+    for (const float y_mm : {-500.0F, 500.0F}) {
+      vertices.push_back(test::vertex_at(x_mm, y_mm, 0));
+      vertices.back().normal = {0, 0, -1};
+    }
+    if (i == kPlanks) break;
+    triangles.push_back({2 * i, 2 * i + 1, 2 * i + 3});
+    triangles.push_back({2 * i, 2 * i + 3, 2 * i + 2});
+  }
+  const RasterModel model(std::make_shared<const TriangleMesh>(vertices, triangles), false);
+  const Pose pose{rotation_from_axis_angle(Eigen::Vector3d::UnitX(), 90 * test::kDegree),
+                  {0, 40, 0}};
+  const Drawing drawing = draw(model, small_camera(), pose);
+  int pixels = 0;
+  for (int y = 0; y < 240; ++y) {
+    for (int x = 0; x < 320; ++x) {
+      const Hit hit = hit_plane(small_camera(), pose, x, y);
+      if (!(hit.z_mm > 60 && hit.z_mm < 490 && std::abs(hit.object_mm.x()) < 499)) continue;
+      ASSERT_GT(drawing.depth_mm.at<float>(y, x), 0) << x << ", " << y;
+      ++pixels;
     }
   }
   EXPECT_GT(pixels, 10000);
@@ -287,67 +339,6 @@ TEST(Rasterizing, LeavesNoTraceOfDrawingsBefore) {
     EXPECT_EQ(cv::countNonZero(first != draw_again()), 0) << z_mm;
   }
 }
-
-struct CountCase {
-  EdgeOperator op;
-  int threshold;
-  int dilation_px;
-
-  std::string name() const {
-    return std::string(op == EdgeOperator::sobel ? "Sobel" : "Prewitt") +
-           std::to_string(threshold) + "By" + std::to_string(dilation_px);
-  }
-  friend std::ostream& operator<<(std::ostream& stream, const CountCase& count_case) {
-    return stream << count_case.name();
-  }
-};
-
-class CountingEdges : public testing::TestWithParam<CountCase> {};
-
-// In and partly outside the image, and crossing the near plane.
-TEST_P(CountingEdges, EqualsOpenCVsPipeline) {
-  const EdgeOptions options{.op = GetParam().op,
-                            .threshold = GetParam().threshold,
-                            .dilation_px = GetParam().dilation_px};
-  cv::Mat frame(240, 320, CV_8UC1);
-  cv::RNG random(8);
-  random.fill(frame, cv::RNG::UNIFORM, 0, 3);
-  frame = frame == 0;
-  PackedEdges packed;
-  packed.assign(frame);
-
-  for (const SharedMesh& mesh :
-       {test::make_box(80, 60, 40), test::make_coloured_sphere(40), test::make_bowl(45)}) {
-    const RasterModel model(mesh, false);
-    Rasterizer rasterizer(model, small_camera(), Shading{});
-    int seen = 0;
-    for (std::uint32_t i = 0; i < 60; ++i) {
-      const RandomKey key{.seed = 7, .particle = i};
-      const double z_mm = test::random_between(key, 2, i % 3 ? 120 : -20, 500);
-      const Pose pose{test::random_rotation(key),
-                      {test::random_between(key, 0, -0.6, 0.6) * z_mm,
-                       test::random_between(key, 1, -0.5, 0.5) * z_mm, z_mm}};
-      if (rasterizer.draw(pose, 1 + options.dilation_px).empty()) continue;
-      const EdgeMatch counted = rasterizer.count_edges(packed, options);
-
-      const Drawing drawing = draw(model, small_camera(), pose);
-      const cv::Mat edges = detect_edges(drawing.grey, options).binary;
-      EXPECT_EQ(counted.rendered, cv::countNonZero(edges)) << "pose " << i;
-      EXPECT_EQ(counted.matched, cv::countNonZero(edges & frame)) << "pose " << i;
-      seen += counted.rendered > 0;
-    }
-    EXPECT_GT(seen, 25);
-  }
-}
-
-INSTANTIATE_TEST_SUITE_P(Case, CountingEdges,
-                         testing::Values(CountCase{EdgeOperator::sobel, 40, 0},
-                                         CountCase{EdgeOperator::sobel, 0, 1},
-                                         CountCase{EdgeOperator::sobel, 254, 2},
-                                         CountCase{EdgeOperator::sobel, 60, 8},
-                                         CountCase{EdgeOperator::prewitt, 25, 0},
-                                         CountCase{EdgeOperator::prewitt, 40, 3}),
-                         [](const auto& test) { return test.param.name(); });
 
 }  // namespace
 }  // namespace anneal6d

@@ -25,17 +25,17 @@ using test::SharedMesh;
 using test::track;
 using test::Values;
 
-const SharedMesh& box() {
+const SharedMesh& tracked_box() {
   static const SharedMesh mesh = test::make_box(90, 60, 75);
   return mesh;
 }
 
 std::unique_ptr<RigidObjectTracker> make_tracker(const Values& values = {},
-                                                 const SharedMesh& mesh = box()) {
+                                                 const SharedMesh& mesh = tracked_box()) {
   return make_plugin(tracker_plugins(), "tracker", "universal", setup_for(mesh, values));
 }
 
-Sequence moving_sequence(int frames) { return test::moving_sequence(box(), frames); }
+Sequence moving_sequence(int frames) { return test::moving_sequence(tracked_box(), frames); }
 
 struct Mode {
   const char* name;
@@ -70,13 +70,14 @@ TEST_P(UniversalTracking, FollowsAMovingObject) {
   std::vector<double> errors_mm, errors_deg;
   for (std::size_t i = 0; i < results.size(); ++i) {
     const Pose& pose = results[i].camera_from_object;
-    errors_mm.push_back(center_distance_mm(*box(), pose, sequence.truth[i]));
+    errors_mm.push_back(center_distance_mm(*tracked_box(), pose, sequence.truth[i]));
     errors_deg.push_back(angle_deg(pose, sequence.truth[i]));
     // Single frames may be worse where a face and the background look alike.
     EXPECT_LT(errors_mm.back(), 5 + GetParam().reach_mm) << "frame " << i;
     EXPECT_LT(errors_deg.back(), 3 + GetParam().reach_deg) << "frame " << i;
-    EXPECT_LT(center_distance_mm(*box(), results[i].best_camera_from_object, sequence.truth[i]),
-              3 * GetParam().reach_mm + 5)
+    EXPECT_LT(
+        center_distance_mm(*tracked_box(), results[i].best_camera_from_object, sequence.truth[i]),
+        3 * GetParam().reach_mm + 5)
         << "frame " << i;
     EXPECT_EQ(results[i].status, TrackStatus::tracking) << "frame " << i;
     EXPECT_GT(results[i].quality, 0.5) << "frame " << i;
@@ -125,7 +126,7 @@ TEST_P(UniversalTracking, StartsAnewAfterAReset) {
 TEST_P(UniversalTracking, DrawsOtherParticlesForAnotherSeed) {
   // From so far aside that the particles have to look for the object.
   Sequence sequence = moving_sequence(1);
-  sequence.truth[0] = beside(*box(), sequence.truth[0], {6, 0, 0}, {20, 0, 0});
+  sequence.truth[0] = beside(*tracked_box(), sequence.truth[0], {6, 0, 0}, {20, 0, 0});
   EXPECT_NE(track(*make("0", "1"), sequence)[0].best_camera_from_object.translation_mm,
             track(*make("0", "2"), sequence)[0].best_camera_from_object.translation_mm);
 }
@@ -135,7 +136,7 @@ TEST_P(UniversalTracking, StaysOnAStillImage) {
   still.frames.resize(10, still.frames[0]);
   const auto tracker = make();
   for (const TrackResult& result : track(*tracker, still)) {
-    EXPECT_LT(center_distance_mm(*box(), result.camera_from_object, still.truth[0]),
+    EXPECT_LT(center_distance_mm(*tracked_box(), result.camera_from_object, still.truth[0]),
               GetParam().reach_mm);
     EXPECT_LT(angle_deg(result.camera_from_object, still.truth[0]), GetParam().reach_deg);
   }
@@ -186,8 +187,9 @@ TEST_P(UniversalTracking, TakesColourFrames) {
   }
   const auto tracker = make();
   const auto results = track(*tracker, sequence);
-  EXPECT_LT(center_distance_mm(*box(), results.back().camera_from_object, sequence.truth.back()),
-            GetParam().reach_mm);
+  EXPECT_LT(
+      center_distance_mm(*tracked_box(), results.back().camera_from_object, sequence.truth.back()),
+      GetParam().reach_mm);
 }
 
 TEST_P(UniversalTracking, LeavesTheFrameAsItIs) {
@@ -232,7 +234,8 @@ TEST(UniversalTrackerOfABoxThatIsGoneForAWhile, SaysSoAndFindsItAgain) {
       } else if (i > kBack) {
         EXPECT_EQ(result.status, TrackStatus::tracking);
         EXPECT_GT(result.quality, 0.5);
-        EXPECT_LT(center_distance_mm(*box(), result.camera_from_object, sequence.truth[i]), 2);
+        EXPECT_LT(center_distance_mm(*tracked_box(), result.camera_from_object, sequence.truth[i]),
+                  2);
         EXPECT_LT(angle_deg(result.camera_from_object, sequence.truth[i]), 1);
       }
     }
@@ -264,10 +267,10 @@ TEST(MakingAUniversalTracker, ListsTheScorersForAnUnknownOne) {
 
 TEST(MakingAUniversalTracker, NeedsAMeshACameraAndAScorer) {
   EXPECT_THROW(make_universal_tracker(setup_for(nullptr, {})), ConfigError);
-  TrackerSetup setup = setup_for(box(), {});
+  TrackerSetup setup = setup_for(tracked_box(), {});
   setup.camera.fx_px = -1;
   EXPECT_THROW(make_universal_tracker(setup), ConfigError);
-  setup = setup_for(box(), {});
+  setup = setup_for(tracked_box(), {});
   setup.scorers.clear();
   EXPECT_THROW(make_universal_tracker(setup), ConfigError);
 }

@@ -21,7 +21,7 @@ const double kBentCosine = std::cos(8.0 * (std::numbers::pi / 180.0));
 constexpr double kCreaseLength = 0.03;     // of the diameter; shorter creases are a scan's noise
 constexpr double kVisibleDepth = 0.01;     // of the diameter: tolerance of the hidden-point test
 constexpr double kSilhouetteDepth = 0.02;  // of the diameter: a silhouette has at least this behind
-constexpr double kSilhouetteProbe_px = 1.5;
+constexpr double kSilhouetteProbe_px = 0.75;
 // Edges between these distances disturb each other; nearer ones are parts of one zigzag.
 constexpr double kCrowdedFrom_px = 1.3;
 constexpr double kCrowdedTo_px = 4.0;

@@ -2,10 +2,7 @@
 // Copyright (c) 2026 The Anneal6D authors
 #include "cpu_scorer.h"
 
-#include <tbb/blocked_range.h>
 #include <tbb/enumerable_thread_specific.h>
-#include <tbb/parallel_for.h>
-#include <tbb/task_arena.h>
 
 #include <cassert>
 #include <cmath>
@@ -14,9 +11,12 @@
 
 #include "anneal6d/framework/error.h"
 #include "rasterizer.h"
+#include "workers.h"
 
 namespace anneal6d {
 namespace {
+
+constexpr std::size_t kPosesPerTask = 4;
 
 /// What one thread works with.
 struct Workspace {
@@ -26,16 +26,24 @@ struct Workspace {
   EdgeImage edges;
 };
 
+/// Canny's low threshold follows from the high one if it is not given.
+EdgeOptions with_thresholds(EdgeOptions options) {
+  if (options.op == EdgeOperator::canny) {
+    options.low_threshold = EdgeDetector().thresholds({}, options).low;
+  }
+  return options;
+}
+
 class CpuScorer final : public PoseScorer {
  public:
   explicit CpuScorer(const ScorerSetup& setup)
       : model_((setup.validate(), setup.mesh), setup.textured),
         camera_(setup.camera),
-        edges_(setup.edges),
+        edges_(with_thresholds(setup.edges)),
         workspaces_([this, shading = setup.shading] {
           return Workspace{Rasterizer(model_, camera_, shading), {}, {}, {}};
         }),
-        arena_(setup.threads > 0 ? setup.threads : tbb::task_arena::automatic) {}
+        workers_(setup.threads) {}
 
   void set_edges(const EdgeImage& edges) override {
     check_edge_image(edges, {camera_.width_px, camera_.height_px});
@@ -46,20 +54,14 @@ class CpuScorer final : public PoseScorer {
   void score(std::span<const Pose> camera_from_object, std::span<EdgeMatch> matches) override {
     assert(camera_from_object.size() == matches.size());
     if (frame_binary_.empty()) throw ConfigError("scorer: set_edges() comes before score()");
-    arena_.execute([&] {
-      tbb::parallel_for(tbb::blocked_range<std::size_t>(0, matches.size(), 4),
-                        [&](const auto& range) {
-                          Workspace& workspace = workspaces_.local();
-                          for (std::size_t i = range.begin(); i < range.end(); ++i) {
-                            matches[i] = score_one(workspace, camera_from_object[i]);
-                          }
-                        });
+    workers_.each(matches.size(), kPosesPerTask, [&](std::size_t i) {
+      matches[i] = score_one(workspaces_.local(), camera_from_object[i]);
     });
   }
 
  private:
   EdgeMatch score_one(Workspace& workspace, const Pose& camera_from_object) const {
-    const bool fused = edges_.op != EdgeOperator::canny && edges_.blur_sigma_px <= 0;
+    const bool fused = edges_.blur_sigma_px <= 0;
     // Canny's smoothing-free gradients and non-maximum suppression reach two pixels, a Gaussian
     // three of its sigmas.
     const int reach_px = 2 + static_cast<int>(std::ceil(4 * edges_.blur_sigma_px));
@@ -84,7 +86,7 @@ class CpuScorer final : public PoseScorer {
   cv::Mat frame_binary_;
   PackedEdges frame_packed_;
   tbb::enumerable_thread_specific<Workspace> workspaces_;
-  tbb::task_arena arena_;
+  Workers workers_;
 };
 
 }  // namespace

@@ -5,6 +5,47 @@
 #include <algorithm>
 
 namespace anneal6d {
+namespace {
+
+/// Of the runs of set bits in `runs`, those bits that are at or above a bit of `seeds`: a sum
+/// carries through the rest of a run.
+std::uint64_t filled_up(std::uint64_t seeds, std::uint64_t runs) {
+  return runs & (~(runs + seeds) | seeds);
+}
+
+/// The same, at or below.
+std::uint64_t filled_down(std::uint64_t seeds, std::uint64_t runs) {
+  for (int shift = 1; shift < 64; shift *= 2) {
+    seeds |= runs & seeds >> shift;
+    runs &= runs >> shift;
+  }
+  return seeds;
+}
+
+/// Adds to a row of bits what the rows beside it, which may be itself, and runs of candidates join
+/// to it. Whether that was anything.
+bool grow_row(std::uint64_t* row, const std::uint64_t* above, const std::uint64_t* below,
+              const std::uint64_t* candidates, int words) {
+  bool grown = false;
+  const auto around = [&](int w) { return above[w] | row[w] | below[w]; };
+  for (int w = 0; w < words; ++w) {
+    if (candidates[w] == row[w]) continue;
+    std::uint64_t near = around(w) | around(w) << 1 | around(w) >> 1;
+    if (w > 0) near |= around(w - 1) >> 63;
+    if (w + 1 < words) near |= around(w + 1) << 63;
+    if ((near & candidates[w] & ~row[w]) == 0) continue;
+    row[w] = filled_up(near & candidates[w], candidates[w]);
+    grown = true;
+  }
+  if (!grown) return false;
+  for (int w = words - 1; w >= 0; --w) {
+    if (w + 1 < words) row[w] |= candidates[w] & row[w + 1] << 63;
+    row[w] = filled_down(row[w], candidates[w]);
+  }
+  return true;
+}
+
+}  // namespace
 
 void PackedEdges::assign(const cv::Mat& binary) {
   constexpr std::size_t kReadAhead = 4;  // words: 16 bytes behind the last pixel
@@ -44,6 +85,23 @@ void dilate_bits(std::vector<std::uint64_t>& bits, std::vector<std::uint64_t>& s
       std::uint64_t* const out = bits.data() + static_cast<std::size_t>(y) * stride;
       for (int w = 0; w < words; ++w) out[w] = above[w] | here[w] | below[w];
     }
+  }
+}
+
+void grow_bits(std::vector<std::uint64_t>& bits, const std::vector<std::uint64_t>& candidates,
+               int height, int words) {
+  const auto grow = [&](int y) {
+    const auto row_of = [&](int other) {
+      return static_cast<std::size_t>(std::clamp(other, 0, height - 1)) *
+             static_cast<std::size_t>(words);
+    };
+    return grow_row(bits.data() + row_of(y), bits.data() + row_of(y - 1),
+                    bits.data() + row_of(y + 1), candidates.data() + row_of(y), words);
+  };
+  for (bool grown = true; grown;) {
+    grown = false;
+    for (int y = 0; y < height; ++y) grown |= grow(y);
+    for (int y = height - 1; y >= 0; --y) grown |= grow(y);
   }
 }
 

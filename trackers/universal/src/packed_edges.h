@@ -37,4 +37,9 @@ class PackedEdges {
 void dilate_bits(std::vector<std::uint64_t>& bits, std::vector<std::uint64_t>& scratch,
                  int width_px, int height, int words, int radius_px);
 
+/// Adds to the set bits all `candidates` that a chain of candidates joins to them, from neighbour
+/// to neighbour of the eight (Canny's hysteresis). Set bits are candidates; rows as above.
+void grow_bits(std::vector<std::uint64_t>& bits, const std::vector<std::uint64_t>& candidates,
+               int height, int words);
+
 }  // namespace anneal6d

@@ -22,82 +22,114 @@ namespace anneal6d {
 namespace HWY_NAMESPACE {
 namespace hn = hwy::HWY_NAMESPACE;
 
-using PI = hn::RebindToSigned<PF>;
-using PU = hn::RebindToUnsigned<PF>;
-using VP = hn::Vec<PF>;
-constexpr PI pi;
+using PU = hn::RebindToUnsigned<F>;
 constexpr PU pu;
+using VU = hn::Vec<PU>;
 
 /// Bilinear texture brightness at texture coordinates u, v with repeat.
-HWY_INLINE VP SampleTexture(const QuadTexture& texture, VP u, VP v) {
-  const auto wrap = [](VP t, int size, hn::Vec<PI>& cell, VP& fraction) {
-    const VP extent = hn::Set(pf, static_cast<float>(size));
-    const VP position = hn::MulSub(hn::Sub(t, hn::Floor(t)), extent, hn::Set(pf, 0.5F));
-    const VP floor = hn::Floor(position);
+HWY_INLINE VF SampleTexture(const QuadTexture& texture, VF u, VF v) {
+  const auto wrap = [](VF t, int size, hn::Vec<I>& cell, VF& fraction) {
+    const VF extent = hn::Set(f, static_cast<float>(size));
+    const VF position = hn::MulSub(hn::Sub(t, hn::Floor(t)), extent, hn::Set(f, 0.5F));
+    const VF floor = hn::Floor(position);
     fraction = hn::Sub(position, floor);
-    const auto index = hn::ConvertTo(pi, floor);
-    const auto wrapped = hn::IfThenElse(hn::Lt(index, hn::Zero(pi)), hn::Set(pi, size - 1), index);
-    cell = hn::Min(wrapped, hn::Set(pi, size - 1));
+    const auto index = hn::ConvertTo(si, floor);
+    const auto wrapped = hn::IfThenElse(hn::Lt(index, hn::Zero(si)), hn::Set(si, size - 1), index);
+    cell = hn::Min(wrapped, hn::Set(si, size - 1));
   };
-  hn::Vec<PI> column, row;
-  VP across, down;
+  hn::Vec<I> column, row;
+  VF across, down;
   wrap(u, texture.width, column, across);
   wrap(v, texture.height, row, down);
-  const auto index = hn::Add(hn::Mul(row, hn::Set(pi, texture.width)), column);
+  const auto index = hn::Add(hn::Mul(row, hn::Set(si, texture.width)), column);
   const auto quad = hn::GatherIndex(pu, texture.quads.data(), index);
   const auto byte = hn::Set(pu, 0xFF);
   const auto texel = [&](auto bits) {
-    return hn::ConvertTo(pf, hn::BitCast(pi, hn::And(bits, byte)));
+    return hn::ConvertTo(f, hn::BitCast(si, hn::And(bits, byte)));
   };
-  const VP t00 = texel(quad), t10 = texel(hn::ShiftRight<8>(quad));
-  const VP t01 = texel(hn::ShiftRight<16>(quad)), t11 = texel(hn::ShiftRight<24>(quad));
-  const VP upper = hn::MulAdd(hn::Sub(t10, t00), across, t00);
-  const VP lower = hn::MulAdd(hn::Sub(t11, t01), across, t01);
+  const VF t00 = texel(quad), t10 = texel(hn::ShiftRight<8>(quad));
+  const VF t01 = texel(hn::ShiftRight<16>(quad)), t11 = texel(hn::ShiftRight<24>(quad));
+  const VF upper = hn::MulAdd(hn::Sub(t10, t00), across, t00);
+  const VF lower = hn::MulAdd(hn::Sub(t11, t01), across, t01);
   return hn::MulAdd(hn::Sub(lower, upper), down, upper);
 }
 
-/// Fills rows of triangle i of a group, a vector of pixels at a time.
-template <bool kTextured, bool kNeedle>
+/// Pixels of triangle i of a group, `along` pixels behind the first of their rows; 0 outside.
+/// `of_row` makes a vector of what is said of rows.
+template <bool kTextured, bool kNeedle, class OfRow>
+HWY_INLINE VU PixelsOf(const TriangleJob& job, const Group& g, const Rows& rows, std::size_t i,
+                       VF along, const OfRow& of_row) {
+  VF depth = hn::MulAdd(along, hn::Set(f, g.depth.step[i]), of_row(rows.depth));
+  VF grey = hn::MulAdd(along, hn::Set(f, g.grey.step[i]), of_row(rows.grey));
+  if constexpr (kNeedle) {
+    const auto clamp = [&](VF value, const Planes& planes) {
+      return hn::Min(hn::Max(value, hn::Set(f, planes.least[i])), hn::Set(f, planes.most[i]));
+    };
+    depth = clamp(depth, g.depth);
+    grey = clamp(grey, g.grey);
+  }
+  if constexpr (kTextured) {
+    const VF inv_z = hn::MulAdd(hn::Sub(depth, hn::Set(f, kFarDepth)),
+                                hn::Set(f, 1.0F / job.depth_scale), hn::Set(f, job.inv_far));
+    const VF z_mm = hn::Div(hn::Set(f, 1.0F), inv_z);
+    const VF u = hn::MulAdd(along, hn::Set(f, g.u.step[i]), of_row(rows.u));
+    const VF v = hn::MulAdd(along, hn::Set(f, g.v.step[i]), of_row(rows.v));
+    grey = hn::Mul(grey, SampleTexture(*job.texture, hn::Mul(u, z_mm), hn::Mul(v, z_mm)));
+  }
+  // Adding 1.5 * 2^23 leaves the rounded number in the lowest bits, for a third of the price of the
+  // conversion.
+  const auto rounded = hn::BitCast(pu, hn::Add(grey, hn::Set(f, 12582912.0F)));
+  const auto pixel =
+      hn::OrAnd(hn::ShiftLeft<8>(hn::BitCast(pu, depth)), rounded, hn::Set(pu, 0xFF));
+  const auto inside = hn::RebindMask(pu, hn::Lt(along, of_row(rows.width)));
+  return hn::IfThenElseZero(inside, pixel);
+}
+
+/// Draws pixels over others: nearer is larger, so that the depth test is a maximum.
+template <class Tag>
+HWY_INLINE void DrawOver(Tag tag, hn::Vec<Tag> pixels, std::uint32_t* at) {
+  hn::StoreU(hn::Max(hn::LoadU(tag, at), pixels), tag, at);
+}
+
+/// Fills rows of triangle i of a group, a vector of pixels at a time; without kWide none is longer.
+template <bool kTextured, bool kNeedle, bool kWide>
 HWY_INLINE void FillRows(const TriangleJob& job, const Group& g, const Rows& rows, std::size_t i,
                          int count) {
-  const VP lanes = hn::Set(pf, static_cast<float>(hn::Lanes(pf)));
-  const VP depth_step = hn::Set(pf, g.depth.step[i]), grey_step = hn::Set(pf, g.grey.step[i]);
-  const bool wide = g.wide >> i & 1;
+  const VF lanes = hn::Set(f, static_cast<float>(hn::Lanes(f)));
   for (int r = 0; r < count; ++r) {
+    const auto of_row = [&](const Rows::Values& values) { return hn::Set(f, values[r][i]); };
     std::uint32_t* at = job.pixels + rows.place[r][i];
-    const float width = rows.width[r][i];
-    VP along = hn::Iota(pf, 0.0F);
+    VF along = hn::Iota(f, 0.0F);
     float x = 0;
     do {
-      VP depth = hn::MulAdd(along, depth_step, hn::Set(pf, rows.depth[r][i]));
-      VP grey = hn::MulAdd(along, grey_step, hn::Set(pf, rows.grey[r][i]));
-      if constexpr (kNeedle) {
-        const auto clamp = [&](VP value, const Planes& planes) {
-          return hn::Min(hn::Max(value, hn::Set(pf, planes.least[i])), hn::Set(pf, planes.most[i]));
-        };
-        depth = clamp(depth, g.depth);
-        grey = clamp(grey, g.grey);
-      }
-      if constexpr (kTextured) {
-        const VP inv_z = hn::MulAdd(hn::Sub(depth, hn::Set(pf, kFarDepth)),
-                                    hn::Set(pf, 1.0F / job.depth_scale), hn::Set(pf, job.inv_far));
-        const VP z_mm = hn::Div(hn::Set(pf, 1.0F), inv_z);
-        const VP u = hn::MulAdd(along, hn::Set(pf, g.u.step[i]), hn::Set(pf, rows.u[r][i]));
-        const VP v = hn::MulAdd(along, hn::Set(pf, g.v.step[i]), hn::Set(pf, rows.v[r][i]));
-        grey = hn::Mul(grey, SampleTexture(*job.texture, hn::Mul(u, z_mm), hn::Mul(v, z_mm)));
-      }
-      // Adding 1.5 * 2^23 leaves the rounded number in the lowest bits, for a third of the price of
-      // the conversion. Nearer is larger: the depth test is a maximum.
-      const auto rounded = hn::BitCast(pu, hn::Add(grey, hn::Set(pf, 12582912.0F)));
-      const auto pixel =
-          hn::OrAnd(hn::ShiftLeft<8>(hn::BitCast(pu, depth)), rounded, hn::Set(pu, 0xFF));
-      const auto inside = hn::RebindMask(pu, hn::Lt(along, hn::Set(pf, width)));
-      hn::StoreU(hn::Max(hn::LoadU(pu, at), hn::IfThenElseZero(inside, pixel)), pu, at);
+      DrawOver(pu, PixelsOf<kTextured, kNeedle>(job, g, rows, i, along, of_row), at);
       along = hn::Add(along, lanes);
-      at += hn::Lanes(pf);
-      x += static_cast<float>(hn::Lanes(pf));
-    } while (wide && x < width);
+      at += hn::Lanes(f);
+      x += static_cast<float>(hn::Lanes(f));
+    } while (kWide && x < rows.width[r][i]);
   }
+}
+
+/// The same for rows of at most kNarrow pixels, two at a time.
+template <bool kTextured>
+HWY_INLINE void FillPairsOfRows(const TriangleJob& job, const Group& g, const Rows& rows,
+                                std::size_t i, int count) {
+#if HWY_MAX_BYTES == 64
+  const hn::Half<PU> row;
+  const auto second = hn::Ge(hn::Iota(f, 0.0F), hn::Set(f, float{kNarrow}));
+  const VF along =
+      hn::Sub(hn::Iota(f, 0.0F), hn::IfThenElseZero(second, hn::Set(f, float{kNarrow})));
+  for (int r = 0; r < count; r += 2) {
+    const auto of_row = [&](const Rows::Values& values) {
+      return hn::IfThenElse(second, hn::Set(f, values[r + 1][i]), hn::Set(f, values[r][i]));
+    };
+    const VU pixels = PixelsOf<kTextured, false>(job, g, rows, i, along, of_row);
+    DrawOver(row, hn::LowerHalf(row, pixels), job.pixels + rows.place[r][i]);
+    DrawOver(row, hn::UpperHalf(row, pixels), job.pixels + rows.place[r + 1][i]);
+  }
+#else
+  FillRows<kTextured, false, false>(job, g, rows, i, count);
+#endif
 }
 
 /// Draws the triangles of a batch and empties it.
@@ -114,9 +146,13 @@ void DrawBatch(const TriangleJob& job, Batch& batch) {
         const auto i = static_cast<std::size_t>(std::countr_zero(drawn));
         const int count = std::min(Rows::kMost, group.height[i] - row);
         if (group.needles >> i & 1) [[unlikely]] {
-          FillRows<kTextured, true>(job, group, rows, i, count);
+          FillRows<kTextured, true, true>(job, group, rows, i, count);
+        } else if (group.narrow >> i & 1) {
+          FillPairsOfRows<kTextured>(job, group, rows, i, count);
+        } else if (group.wide >> i & 1) {
+          FillRows<kTextured, false, true>(job, group, rows, i, count);
         } else {
-          FillRows<kTextured, false>(job, group, rows, i, count);
+          FillRows<kTextured, false, false>(job, group, rows, i, count);
         }
       }
     }

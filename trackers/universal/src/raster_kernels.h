@@ -77,20 +77,37 @@ inline constexpr int kBandRows = 16;
 /// Pixels behind a row of the drawing that are read or written with it: those of the widest vector.
 inline constexpr int kPixelMargin = 16;
 
-/// Takes the brightness out of a drawing, which is cleared, and finds its edges: a bit is set where
-/// max(|Gx|, |Gy|) > threshold. Borders are repeated. A row of bits has whole words; those behind
-/// the last pixel are zero.
-struct EdgeJob {
+/// A drawing whose brightness an edge operator takes out band by band, so that it is clear then.
+/// Borders are repeated.
+struct DrawnPicture {
   std::uint32_t* pixels;
   int stride;
   int width, height;
-  bool sobel;  ///< else Prewitt
-  int threshold;
   std::uint16_t* rows;  ///< for kBandRows + 2 rows of brightness
   int row_stride;       ///< entries, with a kRowMargin on both sides
+};
+
+/// Takes a drawing and finds its edges: a bit is set where max(|Gx|, |Gy|) > threshold. A row of
+/// bits has whole words; those behind the last pixel are zero.
+struct EdgeJob {
+  DrawnPicture picture;
+  bool sobel;  ///< else Prewitt
+  int threshold;
   std::uint64_t* bits;
 };
 void find_edges(const EdgeJob& job);
+
+/// Takes a drawing and finds what Canny's operator makes of Sobel's gradients before hysteresis:
+/// pixels where |Gx| + |Gy|, 0 outside the picture, is above a threshold and the largest across
+/// the edge, as OpenCV's `Canny` has it. Bits as above.
+struct CannyJob {
+  DrawnPicture picture;
+  int low, high;
+  std::int16_t* gradients;    ///< for 3 * (kBandRows + 2) rows like those of brightness
+  std::uint64_t* candidates;  ///< above the low threshold
+  std::uint64_t* strong;      ///< above the high one
+};
+void find_canny_candidates(const CannyJob& job);
 
 /// Counts the bits of rows of whole words, and those that the frame has, too.
 struct CountJob {

@@ -4,6 +4,7 @@
 
 #include <Eigen/Geometry>
 #include <algorithm>
+#include <numeric>
 #include <opencv2/imgproc.hpp>
 #include <unordered_map>
 
@@ -30,32 +31,53 @@ QuadTexture quads_of(const cv::Mat& bgr, const Eigen::Vector3f& albedo_bgr) {
   return texture;
 }
 
-/// Every edge between welded vertices belongs to two triangles that run through it in opposite
-/// directions.
-bool is_closed(const TriangleMesh& mesh) {
-  std::unordered_map<std::uint64_t, int> balance;
+/// Of each triangle: 1 if it is wound outward, -1 if inward, 0 if its surface is open. A surface is
+/// what hangs together by edges between welded vertices; it is closed if every edge belongs to two
+/// triangles that run through it in opposite directions.
+std::vector<int> windings_of(const TriangleMesh& mesh) {
   const auto welded = mesh.welded();
-  for (const Triangle& t : mesh.triangles()) {
+  const auto triangles = mesh.triangles();
+  const auto edge_of = [&](std::uint32_t t, int c) {
+    const std::uint64_t from = welded[triangles[t][c]], to = welded[triangles[t][(c + 1) % 3]];
+    return from << 32 | to;
+  };
+  const auto reversed = [](std::uint64_t edge) { return edge << 32 | edge >> 32; };
+
+  std::vector<std::uint32_t> joined(triangles.size());  // a forest, a tree a surface
+  std::iota(joined.begin(), joined.end(), 0U);
+  const auto surface_of = [&](std::uint32_t t) {
+    while (joined[t] != t) t = joined[t] = joined[joined[t]];
+    return t;
+  };
+  std::unordered_map<std::uint64_t, std::uint32_t> first_with;
+  std::vector<std::uint32_t> open_at;
+  for (std::uint32_t t = 0; t < triangles.size(); ++t) {
     for (int c = 0; c < 3; ++c) {
-      const std::uint64_t from = welded[t[c]], to = welded[t[(c + 1) % 3]];
-      if (++balance[from << 32 | to] > 1) return false;
+      const std::uint64_t edge = edge_of(t, c);
+      const auto [same, is_first] = first_with.try_emplace(edge, t);
+      if (!is_first) open_at.push_back(t);
+      joined[surface_of(t)] = surface_of(same->second);
+      const auto opposite = first_with.find(reversed(edge));
+      if (opposite != first_with.end()) joined[surface_of(t)] = surface_of(opposite->second);
     }
   }
-  return std::all_of(balance.begin(), balance.end(), [&](const auto& edge) {
-    return balance.contains(edge.first << 32 | edge.first >> 32);
-  });
-}
-
-/// Six times the enclosed volume; positive if the triangles are wound outward.
-double signed_volume(const TriangleMesh& mesh) {
-  double volume = 0;
-  for (const Triangle& t : mesh.triangles()) {
-    const auto corner = [&](int c) -> Eigen::Vector3d {
-      return mesh.vertices()[t[c]].position_mm.cast<double>();
-    };
-    volume += corner(0).dot(corner(1).cross(corner(2)));
+  for (const auto& [edge, t] : first_with) {
+    if (!first_with.contains(reversed(edge))) open_at.push_back(t);
   }
-  return volume;
+
+  // Six times the enclosed volume is positive if triangles are wound outward.
+  std::vector<double> volume(triangles.size());
+  for (std::uint32_t t = 0; t < triangles.size(); ++t) {
+    const auto corner = [&](int c) -> Eigen::Vector3d {
+      return mesh.vertices()[triangles[t][c]].position_mm.cast<double>();
+    };
+    volume[surface_of(t)] += corner(0).dot(corner(1).cross(corner(2)));
+  }
+  std::vector<int> windings(triangles.size());
+  for (std::uint32_t t = 0; t < triangles.size(); ++t) windings[t] = volume[t] > 0 ? 1 : -1;
+  for (const std::uint32_t t : open_at) windings[surface_of(t)] = 0;
+  for (std::uint32_t t = 0; t < triangles.size(); ++t) windings[t] = windings[surface_of(t)];
+  return windings;
 }
 
 void pad(std::vector<float>& values) {
@@ -68,8 +90,7 @@ RasterModel::RasterModel(std::shared_ptr<const TriangleMesh> source, bool textur
     : mesh(std::move(source)),
       vertex_count(mesh->vertices().size()),
       triangles(mesh->triangles().begin(), mesh->triangles().end()),
-      patterned(false),
-      closed(is_closed(*mesh)) {
+      patterned(false) {
   const bool has_texture = textured && mesh->has_texture();
   const Eigen::Vector3f tint = mesh->vertices().front().albedo_bgr;
   const bool one_tint = std::all_of(mesh->vertices().begin(), mesh->vertices().end(),
@@ -92,7 +113,7 @@ RasterModel::RasterModel(std::shared_ptr<const TriangleMesh> source, bool textur
     }
   }
   for (auto* values : {&x, &y, &z, &nx, &ny, &nz, &luma}) pad(*values);
-  if (closed) add_planes();
+  add_planes();
   if (has_texture) {
     pad(u);
     pad(v);
@@ -102,17 +123,17 @@ RasterModel::RasterModel(std::shared_ptr<const TriangleMesh> source, bool textur
 }
 
 void RasterModel::add_planes() {
-  const double outward = signed_volume(*mesh) > 0 ? 1 : -1;
-  for (const Triangle& t : triangles) {
+  const std::vector<int> windings = windings_of(*mesh);
+  for (std::size_t t = 0; t < triangles.size(); ++t) {
     const auto corner = [&](int c) -> Eigen::Vector3d {
-      return mesh->vertices()[t[c]].position_mm.cast<double>();
+      return mesh->vertices()[triangles[t][c]].position_mm.cast<double>();
     };
     const Eigen::Vector3d normal =
-        outward * (corner(1) - corner(0)).cross(corner(2) - corner(0)).normalized();
+        windings[t] * (corner(1) - corner(0)).cross(corner(2) - corner(0)).normalized();
     plane_x.push_back(static_cast<float>(normal.x()));
     plane_y.push_back(static_cast<float>(normal.y()));
     plane_z.push_back(static_cast<float>(normal.z()));
-    plane_mm.push_back(static_cast<float>(normal.dot(corner(0))));
+    plane_mm.push_back(windings[t] == 0 ? -1.0F : static_cast<float>(normal.dot(corner(0))));
   }
   for (auto* values : {&plane_x, &plane_y, &plane_z, &plane_mm}) pad(*values);
 }

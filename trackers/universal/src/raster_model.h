@@ -34,10 +34,10 @@ struct RasterModel {
   std::vector<Triangle> triangles;
   std::vector<QuadTexture> textures;  ///< one a level; empty without texture
   bool patterned;                     ///< has a texture, or vertices of different brightness
-  /// The surface is closed and wound one way: faces turned away are hidden and can be skipped.
-  bool closed;
-  /// Of each triangle of a `closed` surface the plane: a point outside is where its product with
-  /// the unit normal (x, y, z) is larger than `plane_mm`. Empty for open surfaces.
+  /// Of each triangle the plane: a point is outside where its product with the unit normal
+  /// (x, y, z) is larger than `plane_mm`. From outside a closed surface, those of its faces that
+  /// are turned away are hidden and can be skipped. Every point is outside of triangles of an open
+  /// surface (0, 0, 0; -1), which are seen from both sides.
   std::vector<float> plane_x, plane_y, plane_z, plane_mm;
 
  private:

@@ -11,6 +11,7 @@
 
 #include <hwy/highway.h>
 
+#include <algorithm>
 #include <cstring>
 
 #include "raster_kernels.h"
@@ -27,10 +28,10 @@ constexpr F f;
 constexpr I si;
 constexpr std::size_t kMostLanes = hn::MaxLanes(f);
 
-// Pixels of a row. Rows of small triangles are short, and longer vectors would cross cache lines
-// twice as often.
-using PF = hn::CappedTag<float, 8>;
-constexpr PF pf;
+// Pixels of a row that are filled at a time in narrow triangles, and how many such rows a vector
+// has room for.
+constexpr int kNarrow = std::min<int>(8, kMostLanes);
+constexpr int kRowsAtOnce = static_cast<int>(kMostLanes) / kNarrow;
 
 /// Lanes for which a mask is true, as bits.
 HWY_INLINE std::uint64_t BitsOf(hn::Mask<F> mask) {
@@ -96,10 +97,11 @@ struct Planes {
 struct Group {
   Corners top, middle, bottom;
   VF long_slope, upper_slope, lower_slope;
-  VF y_begin;
+  VF y_begin, y_end;
   HWY_ALIGN std::int32_t height[kMostLanes];  ///< rows of each triangle
   int tallest;
   std::uint64_t drawn;    ///< bits of the triangles that have pixels
+  std::uint64_t narrow;   ///< bits of those whose rows have at most kNarrow pixels
   std::uint64_t wide;     ///< bits of those that may have rows longer than a vector
   std::uint64_t needles;  ///< bits of those whose slopes are not to be trusted
   Planes depth, grey, u, v;
@@ -121,7 +123,7 @@ HWY_INLINE void SetUp(const TriangleJob& job, const Batch& batch, std::size_t fi
   // triangles often lie between the centres.
   const auto limit = [](int pixels) { return hn::Set(f, static_cast<float>(pixels)); };
   group.y_begin = hn::Ceil(hn::Max(top.y, limit(job.y0)));
-  const VF y_end = hn::Ceil(hn::Min(bottom.y, limit(job.y1)));
+  group.y_end = hn::Ceil(hn::Min(bottom.y, limit(job.y1)));
   const VF left = hn::Min(top.x, hn::Min(middle.x, bottom.x));
   const VF right = hn::Max(top.x, hn::Max(middle.x, bottom.x));
   const VF columns =
@@ -129,14 +131,24 @@ HWY_INLINE void SetUp(const TriangleJob& job, const Batch& batch, std::size_t fi
   const VF e1x = hn::Sub(middle.x, top.x), e1y = hn::Sub(middle.y, top.y);
   const VF e2x = hn::Sub(bottom.x, top.x), e2y = hn::Sub(bottom.y, top.y);
   const VF area = hn::MulSub(e1x, e2y, hn::Mul(e2x, e1y));
-  const VF height = hn::Sub(y_end, group.y_begin);
+  const VF height = hn::Sub(group.y_end, group.y_begin);
   const auto drawn = hn::And(
       hn::And(hn::Gt(height, hn::Zero(f)), hn::Gt(columns, hn::Zero(f))),
       hn::And(hn::Gt(hn::Abs(area), hn::Set(f, 1e-12F)), hn::FirstN(f, batch.count - first)));
   group.drawn = BitsOf(drawn);
   if (group.drawn == 0) return;
   hn::Store(hn::ConvertTo(si, height), si, group.height);
-  group.wide = BitsOf(hn::Gt(columns, hn::Set(f, static_cast<float>(hn::Lanes(pf)))));
+  // The longest row is at the middle corner. A little is left for roundings, which are not small
+  // where corners are far outside the image.
+  const VF length2 =
+      hn::MulAdd(e1x, e1x, hn::MulAdd(e1y, e1y, hn::MulAdd(e2x, e2x, hn::Mul(e2y, e2y))));
+  const auto near_by = hn::Lt(length2, hn::Set(f, 4096.0F * 4096.0F));
+  const auto with_rows_of = [&](std::size_t pixels) {
+    const VF most = hn::Mul(e2y, hn::Set(f, static_cast<float>(pixels) - 0.1F));
+    return BitsOf(hn::And(near_by, hn::Lt(hn::Abs(area), most)));
+  };
+  group.narrow = with_rows_of(kNarrow);
+  group.wide = ~with_rows_of(kMostLanes);
   group.tallest =
       static_cast<int>(hn::GetLane(hn::MaxOfLanes(f, hn::IfThenElseZero(drawn, height))));
 
@@ -147,8 +159,6 @@ HWY_INLINE void SetUp(const TriangleJob& job, const Batch& batch, std::size_t fi
   group.lower_slope = hn::Div(hn::Sub(bottom.x, middle.x), hn::Sub(bottom.y, middle.y));
 
   // Roundings of the slopes below grow with the square of the length over the area.
-  const VF length2 =
-      hn::MulAdd(e1x, e1x, hn::MulAdd(e1y, e1y, hn::MulAdd(e2x, e2x, hn::Mul(e2y, e2y))));
   group.needles = BitsOf(hn::Lt(hn::Abs(area), hn::Mul(length2, hn::Set(f, 1e-3F))));
   const VF inv_area = hn::Div(hn::Set(f, 1.0F), area);
   const auto interpolate = [&](VF a, VF b, VF c, Planes& planes) {
@@ -171,15 +181,17 @@ HWY_INLINE void SetUp(const TriangleJob& job, const Batch& batch, std::size_t fi
 /// Some rows of a group of triangles: where each begins, its width, and the values at its first
 /// pixel.
 struct Rows {
-  static constexpr int kMost = 16;
+  static constexpr int kMost = 64;
+  static_assert(kMost % kRowsAtOnce == 0);
+
+  using Values = float[kMost][kMostLanes];
 
   HWY_ALIGN std::int32_t place[kMost][kMostLanes];  ///< in the drawing
-  HWY_ALIGN float width[kMost][kMostLanes];
-  HWY_ALIGN float depth[kMost][kMostLanes], grey[kMost][kMostLanes];
-  HWY_ALIGN float u[kMost][kMostLanes], v[kMost][kMostLanes];
+  HWY_ALIGN Values width, depth, grey, u, v;
 };
 
-/// Finds rows `first`, ... of all triangles of a group, a lane a triangle.
+/// Finds rows `first`, ... of all triangles of a group, a lane a triangle. Those behind its last
+/// row have no pixels.
 template <bool kTextured>
 HWY_INLINE void FindRows(const TriangleJob& job, const Group& g, int first, int count, Rows& rows) {
   const VF left_limit = hn::Set(f, static_cast<float>(job.x0));
@@ -189,14 +201,19 @@ HWY_INLINE void FindRows(const TriangleJob& job, const Group& g, int first, int 
   VF row = hn::Add(g.y_begin, hn::Set(f, static_cast<float>(first)));
   auto place = hn::Mul(hn::Sub(hn::ConvertTo(si, row), hn::Set(si, job.y0)), row_place);
   place = hn::Sub(place, hn::Set(si, job.x0));
-  for (int r = 0; r < count; ++r) {
+  const int whole = (count + kRowsAtOnce - 1) / kRowsAtOnce * kRowsAtOnce;
+  for (int r = 0; r < whole; ++r) {
     const VF dy = hn::Sub(row, g.top.y);
     const VF long_x = hn::MulAdd(dy, g.long_slope, g.top.x);
     const VF short_x =
         hn::IfThenElse(hn::Lt(row, g.middle.y), hn::MulAdd(dy, g.upper_slope, g.top.x),
                        hn::MulAdd(hn::Sub(row, g.middle.y), g.lower_slope, g.middle.x));
-    const VF begin = hn::Min(hn::Ceil(hn::Max(hn::Min(long_x, short_x), left_limit)), right_limit);
-    const VF end = hn::Ceil(hn::Min(hn::Max(long_x, short_x), right_limit));
+    const auto above_end = hn::Lt(row, g.y_end);
+    const VF begin = hn::IfThenElse(
+        above_end, hn::Min(hn::Ceil(hn::Max(hn::Min(long_x, short_x), left_limit)), right_limit),
+        left_limit);
+    const VF end =
+        hn::IfThenElseZero(above_end, hn::Ceil(hn::Min(hn::Max(long_x, short_x), right_limit)));
     const VF dx = hn::Sub(begin, g.top.x);
     const auto value = [&](const Planes& planes) {
       return hn::MulAdd(dx, planes.dx, hn::MulAdd(dy, planes.dy, planes.top));

@@ -81,7 +81,7 @@ template <bool kTextured>
 void DrawAll(const TriangleJob& job) {
   const RasterModel& m = *job.model;
   // Where the near plane cuts a closed surface open, one looks at its inner side.
-  const bool cull = m.closed && !job.clip;
+  const bool cull = !job.clip;
   const std::size_t lanes = hn::Lanes(f);
   Batch batch;
   for (std::size_t first = 0; first < m.triangles.size(); first += lanes) {

@@ -13,6 +13,12 @@ namespace {
 /// A pixel coordinate as a whole number within a range that no image leaves.
 int whole(float pixels) { return static_cast<int>(std::clamp(pixels, -1e6F, 1e6F)); }
 
+/// Entries of a row of brightness with its margins: whole cache lines.
+int row_stride_of(int width) {
+  constexpr int kLine = LineArray<std::uint16_t>::kEntriesOfALine;
+  return (width + kLine - 1) / kLine * kLine + 2 * kRowMargin;
+}
+
 }  // namespace
 
 Rasterizer::Rasterizer(const RasterModel& model, const CameraModel& camera, const Shading& shading)
@@ -22,9 +28,12 @@ Rasterizer::Rasterizer(const RasterModel& model, const CameraModel& camera, cons
   camera_z_.resize(model.x.size());
   const auto width = static_cast<std::size_t>(camera.width_px);
   const auto height = static_cast<std::size_t>(camera.height_px);
-  pixels_.resize((width + 15 + kPixelMargin) * height);
-  rows_.resize((kBandRows + 2) * (width + 2 * kRowMargin));
+  pixels_.resize((width + 15 + kPixelMargin) * (height + 1));  // a row may be filled with its next
+  const auto band = (kBandRows + 2) * static_cast<std::size_t>(row_stride_of(camera.width_px));
+  rows_.resize(band);
+  gradients_.resize(3 * band);
   bits_.resize((width / 64 + 2) * (height + 1));
+  candidates_.resize(bits_.size());
 }
 
 Region Rasterizer::draw(const Pose& camera_from_object, int margin_px) {
@@ -112,15 +121,26 @@ EdgeMatch Rasterizer::count_edges(const PackedEdges& frame_edges, const EdgeOpti
 
   // Outside the image the border is repeated; outside the region there is background on both sides
   // of its border.
-  find_edges({.pixels = pixels_.data(),
-              .stride = stride_,
-              .width = width,
-              .height = height,
-              .sobel = options.op == EdgeOperator::sobel,
-              .threshold = *options.threshold,
-              .rows = rows_.data(),
-              .row_stride = width + 2 * kRowMargin,
-              .bits = bits_.data()});
+  const DrawnPicture picture{.pixels = pixels_.data(),
+                             .stride = stride_,
+                             .width = width,
+                             .height = height,
+                             .rows = rows_.data(),
+                             .row_stride = row_stride_of(width)};
+  if (options.op == EdgeOperator::canny) {
+    find_canny_candidates({.picture = picture,
+                           .low = *options.low_threshold,
+                           .high = *options.threshold,
+                           .gradients = gradients_.data(),
+                           .candidates = candidates_.data(),
+                           .strong = bits_.data()});
+    grow_bits(bits_, candidates_, height, words);
+  } else {
+    find_edges({.picture = picture,
+                .sobel = options.op == EdgeOperator::sobel,
+                .threshold = *options.threshold,
+                .bits = bits_.data()});
+  }
   if (radius > 0) dilate_bits(bits_, widened_, width, height, words, radius);
 
   return count_edge_bits({.bits = bits_.data(),

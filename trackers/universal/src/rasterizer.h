@@ -8,6 +8,7 @@
 #include "anneal6d/framework/camera_model.h"
 #include "anneal6d/framework/pose.h"
 #include "anneal6d/framework/pose_scorer.h"
+#include "line_array.h"
 #include "packed_edges.h"
 #include "raster_kernels.h"
 #include "raster_model.h"
@@ -37,9 +38,9 @@ class Rasterizer {
   /// the object can be visible or the pose is not finite.
   Region draw(const Pose& camera_from_object, int margin_px);
 
-  /// Consumes the drawing: Sobel's or Prewitt's operator, threshold, dilation (thesis Alg. 4), AND
-  /// with the frame's edges and both counts, row by row without an image in between. The margin was
-  /// at least 1 + options.dilation_px.
+  /// Consumes the drawing: edge operator, threshold, dilation (thesis Alg. 4), AND with the frame's
+  /// edges and both counts, without an image in between. Blur is left out; thresholds are given,
+  /// Canny's both. The margin was at least 1 + options.dilation_px, and one more for Canny.
   EdgeMatch count_edges(const PackedEdges& frame_edges, const EdgeOptions& options);
 
   /// Consumes the drawing into an image of the region's size: brightness, CV_8UC1, 0 where there is
@@ -59,15 +60,16 @@ class Rasterizer {
   Shading shading_;
 
   Region region_;
-  int stride_ = 0;                     // words a row of the drawing
-  std::vector<std::uint32_t> pixels_;  // all zero but between draw and consumption
+  int stride_ = 0;                   // words a row of the drawing
+  LineArray<std::uint32_t> pixels_;  // all zero but between draw and consumption
   float inv_far_ = 0, depth_scale_ = 1;
 
   std::vector<ImageVertex> vertices_;
   std::vector<TexturePoint> texture_points_;
   std::vector<float> camera_z_;
-  std::vector<std::uint16_t> rows_;  // a band of brightness, see EdgeJob
-  std::vector<std::uint64_t> bits_, widened_;
+  LineArray<std::uint16_t> rows_;      // a band of brightness, see DrawnPicture
+  LineArray<std::int16_t> gradients_;  // and of gradients, see CannyJob
+  std::vector<std::uint64_t> bits_, candidates_, widened_;
 };
 
 }  // namespace anneal6d

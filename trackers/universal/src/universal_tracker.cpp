@@ -41,6 +41,7 @@ constexpr double kWindow_px = 30.0;  // around the object, and three deviations 
 constexpr double kLeastReach_px = 6.0, kMostReach_px = 16.0;
 constexpr std::size_t kSmallModel = 4000;         // triangles, drawn in less than a millisecond
 constexpr double kRight_mm = 10, kRight_deg = 2;  // what quality is the probability of
+constexpr double kFarthest = 4;                   // of a particle, in standard deviations
 constexpr double kLostQuality = 0.25;
 constexpr int kFramesUntilLost = 2;
 
@@ -135,7 +136,9 @@ class UniversalTracker final : public RigidObjectTracker {
   void preprocess(const cv::Mat& undistorted) override {
     image_ = undistorted;
     if (!sight_) {
-      const cv::Rect around = detect_edges_around(center_, 1.5 * mesh().radius_mm());
+      // Wherever particles may go within the frame's layers.
+      const double wander_mm = kFarthest * options_.sigma_mm + last_motion_.tail<3>().norm();
+      const cv::Rect around = detect_edges_around(center_, mesh().radius_mm() + wander_mm);
       chance_ = static_cast<double>(cv::countNonZero(edges_.binary(around))) /
                 static_cast<double>(around.area());
       return;
@@ -319,18 +322,10 @@ class UniversalTracker final : public RigidObjectTracker {
   /// Returns that part of the frame.
   cv::Rect detect_edges_around(const Pose& camera_from_center, double radius_mm) {
     const cv::Rect around = window(camera_from_center, radius_mm, kWindow_px);
-    EdgeOptions options = options_.frame_edges;
-    if (sight_) {
-      edge_detector_.detect(image_(around), options, edges_around_);
-      edges_.binary.create(image_.size(), CV_8UC1);
-      edges_.binary.setTo(0);
-      edges_around_.binary.copyTo(edges_.binary(around));
-    } else {
-      const EdgeThresholds thresholds = edge_detector_.thresholds(image_(around), options);
-      options.threshold = thresholds.high;
-      if (options.op == EdgeOperator::canny) options.low_threshold = thresholds.low;
-      edge_detector_.detect(image_, options, edges_);
-    }
+    edge_detector_.detect(image_(around), options_.frame_edges, edges_around_);
+    edges_.binary.create(image_.size(), CV_8UC1);
+    edges_.binary.setTo(0);
+    edges_around_.binary.copyTo(edges_.binary(around));
     scorer_->set_edges(edges_);
     return around;
   }

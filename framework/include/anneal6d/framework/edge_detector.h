@@ -69,7 +69,7 @@ class EdgeDetector {
   cv::Mat magnitude();
   EdgeThresholds resolved(const EdgeOptions& options);
 
-  Scratch blurred_, gx_scratch_, gy_scratch_, magnitude_x_, magnitude_y_, largest_;
+  Scratch blurred_, gx_scratch_, gy_scratch_, magnitude_x_, magnitude_y_, largest_, channel_;
   cv::Mat gx_, gy_;
 };
 
