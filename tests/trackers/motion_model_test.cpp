@@ -117,6 +117,35 @@ TEST(MotionModelOfAStillObject, StaysReadyForMotion) {
   EXPECT_GT(model.sigma()[5], 0.1 * kSigma_mm);
 }
 
+TEST(MotionSeenLately, HasNeitherMarginNorBounds) {
+  MotionModel model(kSigma_mm, kSigma_rad);
+  Pose pose{Eigen::Quaterniond::Identity(), {0, 0, 500}};
+  for (int i = 0; i < 200; ++i) go(model, pose, Twist::Zero());
+  EXPECT_LT(model.seen_sigma()[0], 1e-3 * kSigma_rad) << "it stood still";
+  EXPECT_LT(model.seen_sigma()[5], 1e-3 * kSigma_mm);
+  // To and fro, so that no motion tells the next.
+  Twist leap;
+  leap << 0, 0, 0.3, 0, 100, 0;
+  for (int i = 0; i < 200; ++i) go(model, pose, i % 2 ? leap : -leap);
+  // The mean of three axes of which one is moved along.
+  for (int i = 0; i < 3; ++i) {
+    EXPECT_NEAR(model.seen_sigma()[i], 0.3 / std::sqrt(3.0), 1e-3);
+    EXPECT_NEAR(model.seen_sigma()[i + 3], 100 / std::sqrt(3.0), 0.1);
+  }
+}
+
+TEST(MotionSeenLately, IsWhatTheMotionIsExpectedToBeButForTheMargin) {
+  MotionModel model(kSigma_mm, kSigma_rad);
+  Pose pose{Eigen::Quaterniond::Identity(), {0, 0, 500}};
+  for (std::uint32_t frame = 0; frame < 100; ++frame) go(model, pose, random_motion(frame));
+  const Twist margin = model.sigma().cwiseQuotient(model.seen_sigma());
+  for (int i = 0; i < 6; ++i) {
+    EXPECT_GT(margin[i], 1.1);
+    EXPECT_LT(margin[i], 1.6);
+    EXPECT_NEAR(margin[i], margin[0], 1e-9);
+  }
+}
+
 TEST(Twist, MovesFromOnePoseToAnother) {
   const Pose from{rotation_from_axis_angle({1, 2, 3}, 0.5), {10, 20, 300}};
   const Pose to = moved(from, steady_motion());

@@ -5,6 +5,7 @@
 #include <gtest/gtest.h>
 
 #include "synthetic.h"
+#include "workers.h"
 
 namespace anneal6d {
 namespace {
@@ -215,6 +216,35 @@ TEST(Refining, LearnsTheColoursOnBothSidesOfTheSilhouette) {
   const Eigen::Vector2d middle = camera().project(truth.translation_mm);
   const auto* const face = image.ptr(static_cast<int>(middle.y())) + static_cast<int>(middle.x());
   EXPECT_GE(appearance.log_odds(appearance.bin(face)), 0);
+}
+
+// Named apart from the tests above, which ThreadSanitizer leaves out.
+TEST(ARefinerOfSeveralThreads, GivesTheSamePosesAsOneAfterTheOther) {
+  const Pose truth = corner_view();
+  const RasterModel model(test::make_box(90, 60, 75), false);
+  const ViewModel views = test::views_near(model, truth);
+  const cv::Mat image = test::photograph(model, test::small_camera(), truth, 20, 1.0);
+  Refiner refiner(views, test::small_camera());
+  refiner.set_image(image, whole(image));
+  Appearance appearance(1);
+  refiner.teach(truth, appearance);
+  constexpr std::size_t kStarts = 30;
+  const auto refined = [&](std::size_t i) {
+    const RandomKey key{.seed = 8, .particle = static_cast<std::uint32_t>(i)};
+    const Pose start = beside(*model.mesh, truth, {test::random_between(key, 0, -2, 2), 1, -1},
+                              {1, test::random_between(key, 1, -3, 3), 2});
+    return refiner.refine(start, start, 8, appearance);
+  };
+  std::vector<Refiner::Result> alone(kStarts), together(kStarts);
+  for (std::size_t i = 0; i < kStarts; ++i) alone[i] = refined(i);
+  Workers(2).each(kStarts, 1, [&](std::size_t i) { together[i] = refined(i); });
+  for (std::size_t i = 0; i < kStarts; ++i) {
+    const Pose &a = alone[i].camera_from_object, &b = together[i].camera_from_object;
+    EXPECT_EQ(a.translation_mm, b.translation_mm) << "start " << i;
+    EXPECT_EQ(a.rotation.coeffs(), b.rotation.coeffs()) << "start " << i;
+    EXPECT_EQ(alone[i].evidence(), together[i].evidence()) << "start " << i;
+    EXPECT_EQ(alone[i].unseen, together[i].unseen) << "start " << i;
+  }
 }
 
 }  // namespace

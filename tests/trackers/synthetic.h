@@ -2,15 +2,19 @@
 // Copyright (c) 2026 The Anneal6D authors
 #pragma once
 
+#include <array>
 #include <cmath>
 #include <memory>
 #include <numbers>
 #include <opencv2/core.hpp>
 #include <opencv2/imgproc.hpp>
+#include <utility>
+#include <vector>
 
 #include "anneal6d/framework/srgb.h"
 #include "rasterizer.h"
 #include "shapes.h"
+#include "view_painter.h"
 
 namespace anneal6d::test {
 
@@ -30,6 +34,65 @@ inline Pose corner_view() {
   return {rotation_from_axis_angle(Eigen::Vector3d::UnitX(), 0.6) *
               rotation_from_axis_angle(Eigen::Vector3d::UnitY(), 0.7),
           {5, -3, 320}};
+}
+
+/// Cylinder around the object's z axis, with caps, closed.
+inline SharedMesh make_cylinder(double length_mm, double radius_mm, std::uint32_t facets) {
+  const auto radius = static_cast<float>(radius_mm), half = static_cast<float>(length_mm / 2);
+  // Half of a section, from one end of the axis to the other.
+  const std::array<Eigen::Vector2f, 4> profile = {
+      {{0, -half}, {radius, -half}, {radius, half}, {0, half}}};
+  return make_grid(facets, 2 * std::numbers::pi, 3, 0, 3, [&](double u, double v) {
+    const Eigen::Vector2f& p = profile[static_cast<std::size_t>(std::lround(v))];
+    return vertex_at(p.x() * static_cast<float>(std::cos(u)),
+                     p.x() * static_cast<float>(std::sin(u)), p.y());
+  });
+}
+
+/// Box of these sides around the object's origin whose edges are quarters of cylinders and whose
+/// corners are eighths of spheres: all points at `radius_mm` from a smaller box. Closed, without
+/// creases: neighbouring faces differ by at most 15 degrees.
+inline SharedMesh make_rounded_box(const Eigen::Vector3d& sides_mm, double radius_mm) {
+  const Eigen::Vector3d inner_mm = sides_mm / 2 - Eigen::Vector3d::Constant(radius_mm);
+  // Along each side of a face: which end of the inner box is nearest, and the surface's slope.
+  std::vector<std::pair<double, double>> steps;
+  for (const double slope_deg : {-45, -30, -15, 0}) {
+    steps.emplace_back(-1.0, std::tan(slope_deg * kDegree));
+  }
+  for (const double slope_deg : {0, 15, 30, 45}) {
+    steps.emplace_back(1.0, std::tan(slope_deg * kDegree));
+  }
+  const auto count = static_cast<std::uint32_t>(steps.size());
+  std::vector<MeshVertex> vertices;
+  std::vector<Triangle> triangles;
+  for (int face = 0; face < 6; ++face) {
+    const int w = face / 2, u = (w + 1) % 3, v = (w + 2) % 3;
+    const double outward = face % 2 ? 1 : -1;
+    const auto first = static_cast<std::uint32_t>(vertices.size());
+    for (std::uint32_t i = 0; i < count; ++i) {
+      for (std::uint32_t k = 0; k < count; ++k) {
+        Eigen::Vector3d nearest_mm, normal;
+        nearest_mm[u] = steps[i].first * inner_mm[u];
+        nearest_mm[v] = steps[k].first * inner_mm[v];
+        nearest_mm[w] = outward * inner_mm[w];
+        normal[u] = steps[i].second;
+        normal[v] = steps[k].second;
+        normal[w] = outward;
+        normal.normalize();
+        MeshVertex vertex;
+        vertex.position_mm = (nearest_mm + radius_mm * normal).cast<float>();
+        vertex.normal = normal.cast<float>();
+        vertices.push_back(vertex);
+        if (i + 1 == count || k + 1 == count) continue;
+        const std::uint32_t here = first + i * count + k, next = here + count;
+        const std::uint32_t left = outward > 0 ? here + 1 : next;
+        const std::uint32_t right = outward > 0 ? next : here + 1;
+        triangles.push_back({here, right, next + 1});
+        triangles.push_back({here, next + 1, left});
+      }
+    }
+  }
+  return std::make_shared<const TriangleMesh>(std::move(vertices), std::move(triangles));
 }
 
 /// The object as drawn, as large as the image.
@@ -78,6 +141,14 @@ inline cv::Mat photograph(const RasterModel& model, const CameraModel& camera, c
   cv::Mat image;
   encoded.convertTo(image, CV_8U);
   return image;
+}
+
+/// Views of an object for poses near one: what is seen from there stands for all sides.
+inline ViewModel views_near(const RasterModel& model, const Pose& pose) {
+  const Eigen::Vector3d center_mm = model.mesh->center_mm().cast<double>();
+  const Eigen::Vector3d direction = (pose.inverse().translation_mm - center_mm).normalized();
+  ViewPainter painter(model, {.threshold = 40}, Shading{}, view_camera());
+  return {center_mm, std::vector<ModelView>(ViewModel::kViews, painter.paint(direction, 1))};
 }
 
 /// A pose beside another: turned by a vector in degrees about the object's centre and shifted,

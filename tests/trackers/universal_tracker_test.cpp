@@ -10,7 +10,7 @@
 
 #include "anneal6d/framework/error.h"
 #include "anneal6d/trackers/plugins.h"
-#include "synthetic.h"
+#include "tracking.h"
 
 namespace anneal6d {
 namespace {
@@ -18,22 +18,16 @@ namespace {
 using test::angle_deg;
 using test::beside;
 using test::center_distance_mm;
+using test::frame_of;
+using test::Sequence;
+using test::setup_for;
 using test::SharedMesh;
-
-using Values = std::initializer_list<std::pair<std::string, std::string>>;
+using test::track;
+using test::Values;
 
 const SharedMesh& tracked_box() {
   static const SharedMesh mesh = test::make_box(90, 60, 75);
   return mesh;
-}
-
-TrackerSetup setup_for(const SharedMesh& mesh, const Values& values) {
-  TrackerSetup setup;
-  setup.mesh = mesh;
-  setup.camera = test::small_camera();
-  setup.scorers = cpu_scorer_plugins();
-  for (const auto& [name, value] : values) setup.settings.set(name, value);
-  return setup;
 }
 
 std::unique_ptr<RigidObjectTracker> make_tracker(const Values& values = {},
@@ -41,42 +35,7 @@ std::unique_ptr<RigidObjectTracker> make_tracker(const Values& values = {},
   return make_plugin(tracker_plugins(), "tracker", "universal", setup_for(mesh, values));
 }
 
-/// Frames of an object that somebody moves smoothly, and where it truly was.
-struct Sequence {
-  std::vector<Frame> frames;
-  std::vector<Pose> truth;
-};
-
-Frame frame_of(const cv::Mat& image, std::int64_t index) {
-  Frame frame;
-  frame.image = image;
-  frame.index = index;
-  return frame;
-}
-
-Sequence moving_sequence(int frames) {
-  Sequence sequence;
-  const RasterModel model(tracked_box(), false);
-  const Pose start{rotation_from_axis_angle(Eigen::Vector3d::UnitX(), 0.6) *
-                       rotation_from_axis_angle(Eigen::Vector3d::UnitY(), 0.7),
-                   {-20, -3, 340}};
-  for (int i = 0; i < frames; ++i) {
-    const double t = 0.25 * i;
-    const Pose pose = beside(*tracked_box(), start, {5 * std::sin(t), 8 * (1 - std::cos(t)), 4 * t},
-                             {12 * t, 10 * std::sin(t), 15 * (1 - std::cos(t))});
-    sequence.truth.push_back(pose);
-    sequence.frames.push_back(
-        frame_of(test::photograph(model, test::small_camera(), pose, 40, 1.5, i), i));
-  }
-  return sequence;
-}
-
-std::vector<TrackResult> track(RigidObjectTracker& tracker, const Sequence& sequence) {
-  tracker.reset(sequence.truth.front());
-  std::vector<TrackResult> results;
-  for (const Frame& frame : sequence.frames) results.push_back(tracker.track(frame));
-  return results;
-}
+Sequence moving_sequence(int frames) { return test::moving_sequence(tracked_box(), frames); }
 
 struct Mode {
   const char* name;
@@ -289,22 +248,6 @@ INSTANTIATE_TEST_SUITE_P(Mode, UniversalTracking,
                          [](const auto& test) {
                            return std::string(test.param.name) == "thesis" ? "Thesis" : "Default";
                          });
-
-TEST(UniversalTrackerOfABowl, DoesNotTurnItAboutItsAxis) {
-  const auto bowl = test::make_bowl(50);
-  TrackerSetup setup = setup_for(bowl, {{"particles", "60"}, {"layers", "3"}});
-  setup.symmetry.axis = Eigen::Vector3d::UnitZ();
-  const auto tracker = make_plugin(tracker_plugins(), "tracker", "universal", setup);
-  const Pose truth = test::pose_with_center(
-      *bowl, rotation_from_axis_angle(Eigen::Vector3d::UnitX(), 2.4), {0, 0, 320});
-  tracker->reset(truth);
-  const RasterModel model(bowl, false);
-  for (int i = 0; i < 10; ++i) {
-    const auto result = tracker->track(
-        frame_of(test::photograph(model, test::small_camera(), truth, 40, 1.5, i), i));
-    EXPECT_LT(angle_deg(result.camera_from_object, truth), 1.5) << "frame " << i;
-  }
-}
 
 TEST(MakingAUniversalTracker, RefusesWrongSettings) {
   EXPECT_THROW(make_tracker({{"particles", "0"}}), ConfigError);

@@ -1,0 +1,94 @@
+// SPDX-License-Identifier: BSD-3-Clause
+// Copyright (c) 2026 The Anneal6D authors
+#include "contour_match.h"
+
+#include <gtest/gtest.h>
+
+#include "refiner.h"
+#include "synthetic.h"
+
+namespace anneal6d {
+namespace {
+
+/// A cylinder that lies obliquely before the camera.
+const Pose& oblique() {
+  static const Pose pose{rotation_from_axis_angle(Eigen::Vector3d::UnitZ(), 0.4) *
+                             rotation_from_axis_angle(Eigen::Vector3d::UnitX(), 0.9),
+                         {0, 0, 320}};
+  return pose;
+}
+
+/// The cylinder refined from beside its pose.
+const Refiner::Result& refined_cylinder() {
+  static const Refiner::Result result = [] {
+    const RasterModel model(test::make_cylinder(110, 30, 64), false);
+    const CameraModel camera = test::small_camera();
+    const ViewModel views = test::views_near(model, oblique());
+    const cv::Mat image = test::photograph(model, camera, oblique(), 20, 1.0);
+    Refiner refiner(views, camera);
+    refiner.set_image(image, {0, 0, image.cols, image.rows});
+    const Pose start = test::beside(*model.mesh, oblique(), {0.5, -0.5, 0}, {0.5, -0.5, 2});
+    return refiner.refine(start, start, 8, Appearance(1));
+  }();
+  return result;
+}
+
+Eigen::Vector3d axis() { return oblique().rotation * Eigen::Vector3d::UnitZ(); }
+/// Square to the axis, along the image.
+Eigen::Vector3d across() { return axis().cross(Eigen::Vector3d::UnitZ()).normalized(); }
+
+Twist turn_about(const Eigen::Vector3d& direction) {
+  Twist twist = Twist::Zero();
+  twist.head<3>() = 0.01 * direction;
+  return twist;
+}
+Twist shift_along(const Eigen::Vector3d& direction) {
+  Twist twist = Twist::Zero();
+  twist.tail<3>() = direction;
+  return twist;
+}
+/// How far a twist moves points of the cylinder, about.
+double size_mm(const Twist& twist) {
+  constexpr double kArm_mm = 40;
+  return std::hypot(kArm_mm * twist.head<3>().norm(), twist.tail<3>().norm());
+}
+
+TEST(WhatEdgesOfACylinderLeaveOpen, IsTheTurnAboutItsAxis) {
+  const Twist turn = turn_about(axis());
+  EXPECT_LT(size_mm(refined_cylinder().unseen * turn - turn), 0.15 * size_mm(turn));
+}
+
+TEST(WhatEdgesOfACylinderLeaveOpen, IsNoShift) {
+  const Eigen::Vector3d sight = Eigen::Vector3d::UnitZ();
+  for (const Eigen::Vector3d& direction :
+       {across(), Eigen::Vector3d(across().cross(sight)), sight}) {
+    const Twist shift = shift_along(direction);
+    EXPECT_LT(size_mm(refined_cylinder().unseen * shift), 0.03 * size_mm(shift))
+        << direction.transpose();
+  }
+}
+
+TEST(WhatEdgesOfACylinderLeaveOpen, IsNoTurnToTheCamera) {
+  const Twist turn = turn_about(across());
+  EXPECT_LT(size_mm(refined_cylinder().unseen * turn), 0.03 * size_mm(turn));
+}
+
+// A turn about any other direction may be seen as the part that is not about the axis.
+TEST(WhatEdgesOfACylinderLeaveOpen, IsOfAnyMotionNothingButATurnAboutItsAxis) {
+  for (const Eigen::Vector3d& direction :
+       {Eigen::Vector3d(1, 0, 0), Eigen::Vector3d(0, 1, 0), Eigen::Vector3d(0, 0, 1)}) {
+    for (const Twist& twist : {turn_about(direction), shift_along(direction)}) {
+      Twist left = refined_cylinder().unseen * twist;
+      left.head<3>() -= left.head<3>().dot(axis()) * axis();
+      EXPECT_LT(size_mm(left), 0.06 * size_mm(twist)) << twist.transpose();
+    }
+  }
+}
+
+TEST(WhatEdgesOfACylinderLeaveOpen, IsTheFirstOfTheWeakMotions) {
+  const Eigen::Vector3d turn = refined_cylinder().weak_motions[0].head<3>();
+  EXPECT_GT(std::abs(turn.normalized().dot(axis())), 0.99);
+}
+
+}  // namespace
+}  // namespace anneal6d

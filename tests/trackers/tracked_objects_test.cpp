@@ -1,0 +1,89 @@
+// SPDX-License-Identifier: BSD-3-Clause
+// Copyright (c) 2026 The Anneal6D authors
+#include <gtest/gtest.h>
+
+#include <algorithm>
+#include <string>
+
+#include "tracking.h"
+
+namespace anneal6d {
+namespace {
+
+using test::angle_deg;
+using test::center_distance_mm;
+using test::Sequence;
+using test::SharedMesh;
+
+/// A bowl that is shown still, from obliquely above.
+const SharedMesh& bowl() {
+  static const SharedMesh mesh = test::make_bowl(50);
+  return mesh;
+}
+Sequence still_bowl(int frames) {
+  Sequence sequence;
+  const RasterModel model(bowl(), false);
+  const Pose truth = test::pose_with_center(
+      *bowl(), rotation_from_axis_angle(Eigen::Vector3d::UnitX(), 2.4), {0, 0, 320});
+  sequence.truth.assign(static_cast<std::size_t>(frames), truth);
+  for (int i = 0; i < frames; ++i) {
+    sequence.frames.push_back(
+        test::frame_of(test::photograph(model, test::small_camera(), truth, 40, 1.5, i), i));
+  }
+  return sequence;
+}
+std::vector<TrackResult> track_bowl(const Sequence& sequence, const Eigen::Vector3d& axis) {
+  TrackerSetup setup = test::setup_for(bowl(), {{"particles", "60"}, {"layers", "3"}});
+  setup.symmetry.axis = axis;
+  const auto tracker = make_plugin(tracker_plugins(), "tracker", "universal", setup);
+  return test::track(*tracker, sequence);
+}
+
+TEST(UniversalTrackerOfABowl, DoesNotTurnItAboutItsAxis) {
+  const Sequence sequence = still_bowl(10);
+  const auto results = track_bowl(sequence, Eigen::Vector3d::UnitZ());
+  for (std::size_t i = 0; i < results.size(); ++i) {
+    EXPECT_LT(angle_deg(results[i].camera_from_object, sequence.truth[i]), 1.5) << "frame " << i;
+  }
+}
+
+// It may turn about its axis, and no edge would show it.
+TEST(UniversalTrackerOfABowl, IsUnsureOfItsTurnUnlessItIsKnownToBeRound) {
+  const Sequence sequence = still_bowl(10);
+  const auto round = track_bowl(sequence, Eigen::Vector3d::UnitZ());
+  const auto any = track_bowl(sequence, Eigen::Vector3d::Zero());
+  for (std::size_t i = 0; i < round.size(); ++i) {
+    EXPECT_GT(round[i].quality, 0.8) << "frame " << i;
+    EXPECT_LT(any[i].quality, round[i].quality) << "frame " << i;
+    if (i == 0) continue;
+    EXPECT_LT(any[i].quality, any[i - 1].quality + 0.05) << "frame " << i;
+  }
+  EXPECT_LT(any.back().quality, 0.6);
+}
+
+class UniversalTrackerOfABlackBox : public testing::TestWithParam<const char*> {};
+
+TEST_P(UniversalTrackerOfABlackBox, FollowsIt) {
+  SharedMesh box = test::make_box(90, 60, 75);
+  std::vector<MeshVertex> corners(box->vertices().begin(), box->vertices().end());
+  for (MeshVertex& corner : corners) corner.albedo_bgr.setZero();
+  box = std::make_shared<const TriangleMesh>(
+      corners, std::vector<Triangle>(box->triangles().begin(), box->triangles().end()));
+  const Sequence sequence = test::moving_sequence(box, 10, 110);
+  const auto tracker = make_plugin(
+      tracker_plugins(), "tracker", "universal",
+      test::setup_for(box, {{"mode", GetParam()}, {"particles", "300"}, {"layers", "4"}}));
+  const auto results = test::track(*tracker, sequence);
+  for (std::size_t i = 0; i < results.size(); ++i) {
+    const Pose& pose = results[i].camera_from_object;
+    EXPECT_LT(center_distance_mm(*box, pose, sequence.truth[i]), 12) << "frame " << i;
+    EXPECT_LT(angle_deg(pose, sequence.truth[i]), 6) << "frame " << i;
+    EXPECT_GT(results[i].quality, 0.3) << "frame " << i;
+  }
+}
+
+INSTANTIATE_TEST_SUITE_P(Mode, UniversalTrackerOfABlackBox, testing::Values("default", "thesis"),
+                         [](const auto& test) { return std::string(test.param); });
+
+}  // namespace
+}  // namespace anneal6d
