@@ -211,10 +211,21 @@ void ContourExtractor::add_mesh_edge(const MeshEdge& edge, const View& view,
   }
 }
 
+void ContourExtractor::add_surface_point(const View& view, const Eigen::Vector2d& image_px,
+                                         double z_mm, double spacing_px, ContourPoint point,
+                                         std::vector<ContourPoint>& points) {
+  if (!inside_image(image_px, view.camera)) return;
+  if (!claim_cell(image_px, view.region, spacing_px)) return;
+  const CameraModel& camera = view.camera;
+  const Eigen::Vector3d camera_mm((image_px.x() - camera.cx_px) / camera.fx_px * z_mm,
+                                  (image_px.y() - camera.cy_px) / camera.fy_px * z_mm, z_mm);
+  point.object_mm = view.camera_from_object.inverse() * camera_mm;
+  points.push_back(point);
+}
+
 void ContourExtractor::add_bends(const View& view, double spacing_px,
                                  std::vector<ContourPoint>& points) {
   const cv::Point origin(view.region.x, view.region.y);
-  const Pose object_from_camera = view.camera_from_object.inverse();
   for (const SurfaceBends::Bend& bend :
        bends_.find(view.depth_mm, origin, view.camera, kSilhouetteDepth * diameter_mm_)) {
     const int x = static_cast<int>(std::lround(bend.place_px.x()));
@@ -223,14 +234,9 @@ void ContourExtractor::add_bends(const View& view, double spacing_px,
                           2 * kBendApart_px + 1);
     // A crease of the mesh is there already.
     if (cv::countNonZero(drawn_(around & cv::Rect({}, drawn_.size()))) > 0) continue;
-    const Eigen::Vector2d image_px = bend.place_px + Eigen::Vector2d(origin.x, origin.y);
-    if (!inside_image(image_px, view.camera)) continue;
-    if (!claim_cell(image_px, view.region, spacing_px)) continue;
-    const double z_mm = view.depth_mm.at<float>(y, x);
-    const Eigen::Vector3d camera_mm((image_px.x() - view.camera.cx_px) / view.camera.fx_px * z_mm,
-                                    (image_px.y() - view.camera.cy_px) / view.camera.fy_px * z_mm,
-                                    z_mm);
-    points.push_back({object_from_camera * camera_mm, bend.across, false, false, true});
+    add_surface_point(view, bend.place_px + Eigen::Vector2d(origin.x, origin.y),
+                      view.depth_mm.at<float>(y, x), spacing_px,
+                      {.object_mm = {}, .normal = bend.across, .bend = true}, points);
   }
 }
 
@@ -239,7 +245,6 @@ void ContourExtractor::add_texture_edges(const View& view, double spacing_px,
   cv::Mat gx, gy;
   cv::Sobel(view.grey, gx, CV_16S, 1, 0);
   cv::Sobel(view.grey, gy, CV_16S, 0, 1);
-  const Pose object_from_camera = view.camera_from_object.inverse();
   const auto magnitude = [&](int x, int y) {
     return std::hypot(static_cast<double>(gx.at<short>(y, x)),
                       static_cast<double>(gy.at<short>(y, x)));
@@ -259,13 +264,8 @@ void ContourExtractor::add_texture_edges(const View& view, double spacing_px,
       const double offset = 0.5 * (before - after) / (before - 2 * here + after);
       const Eigen::Vector2d image_px(view.region.x + x + sx * offset,
                                      view.region.y + y + sy * offset);
-      if (!inside_image(image_px, view.camera)) continue;
-      if (!claim_cell(image_px, view.region, spacing_px)) continue;
-      const double z_mm = view.depth_mm.at<float>(y, x);
-      const Eigen::Vector3d camera_mm((image_px.x() - view.camera.cx_px) / view.camera.fx_px * z_mm,
-                                      (image_px.y() - view.camera.cy_px) / view.camera.fy_px * z_mm,
-                                      z_mm);
-      points.push_back({object_from_camera * camera_mm, normal, false, true});
+      add_surface_point(view, image_px, view.depth_mm.at<float>(y, x), spacing_px,
+                        {.object_mm = {}, .normal = normal, .texture = true}, points);
     }
   }
 }

@@ -61,6 +61,10 @@ class ContourExtractor {
   void add_mesh_edge(const MeshEdge& edge, const View& view, const Eigen::Matrix3d& rotation,
                      const Eigen::Vector3d& camera_in_object_mm, double spacing_px,
                      std::vector<ContourPoint>& points);
+  /// Places `point` where the surface, `z_mm` away, appears at `image_px`, unless another point is
+  /// near.
+  void add_surface_point(const View& view, const Eigen::Vector2d& image_px, double z_mm,
+                         double spacing_px, ContourPoint point, std::vector<ContourPoint>& points);
   void add_bends(const View& view, double spacing_px, std::vector<ContourPoint>& points);
   void add_texture_edges(const View& view, double spacing_px, std::vector<ContourPoint>& points);
   bool claim_cell(const Eigen::Vector2d& image_px, const Region& region, double spacing_px);

@@ -69,11 +69,9 @@ Refiner::Result Refiner::refine(const Pose& start_camera_from_object,
     pose = contour.camera_from_object();
     reach = std::max(kFinestReach_px, 0.5 * reach);
   }
-  const std::array<Twist, 2> weak_motions = contour.weak_motions();
-  const Eigen::Matrix<double, 6, 6> unseen = contour.unseen();
   Result result = examine(contour, pose, appearance, care);
-  result.weak_motions = weak_motions;
-  result.unseen = unseen;
+  result.weak_motions = contour.weak_motions();
+  result.unseen = contour.unseen();
   return result;
 }
 

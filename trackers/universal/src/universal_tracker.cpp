@@ -97,15 +97,18 @@ struct Sight {
 class UniversalTracker final : public RigidObjectTracker {
  public:
   UniversalTracker(const TrackerSetup& setup, const UniversalTrackerOptions& options)
+      : UniversalTracker(setup, options, scorer_setup(setup, options)) {}
+
+  UniversalTracker(const TrackerSetup& setup, const UniversalTrackerOptions& options,
+                   const ScorerSetup& drawing)
       : RigidObjectTracker(setup.mesh, setup.camera),
         options_(options),
         symmetry_(setup.symmetry),
-        scorer_(make_plugin(setup.scorers, "scorer", options.scorer, scorer_setup(setup, options))),
+        scorer_(make_plugin(setup.scorers, "scorer", options.scorer, drawing)),
         filter_(*scorer_, options.rating, setup.mesh->center_mm().cast<double>()),
         motion_(options.sigma_mm, options.sigma_deg * kDegree) {
     if (options.mode == UniversalMode::standard) {
-      sight_.emplace(scorer_setup(setup, options), filter_,
-                     PoseSearch::Effort{options.particles, options.layers});
+      sight_.emplace(drawing, filter_, PoseSearch::Effort{options.particles, options.layers});
     }
   }
 
