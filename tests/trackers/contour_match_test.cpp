@@ -90,5 +90,14 @@ TEST(WhatEdgesOfACylinderLeaveOpen, IsTheFirstOfTheWeakMotions) {
   EXPECT_GT(std::abs(turn.normalized().dot(axis())), 0.99);
 }
 
+// As where the object is outside the image.
+TEST(AMatchWithoutASingleStep, LeavesEverythingOpen) {
+  const cv::Mat nothing;
+  const CameraModel camera = test::small_camera();
+  const ContourMatch match({nothing, {}}, camera, Eigen::Vector3d::Zero());
+  const Eigen::Matrix<double, 6, 6> unseen = match.unseen();
+  EXPECT_TRUE(unseen.isIdentity(1e-9)) << unseen;
+}
+
 }  // namespace
 }  // namespace anneal6d

@@ -75,7 +75,7 @@ class ContourMatch {
   // Of the last step: how far each entry of a twist is to move the points equally far, the normal
   // matrix in these units, and the sum of the weights.
   Twist unit_ = Twist::Ones();
-  Matrix6 shares_ = Matrix6::Identity();
+  Matrix6 shares_ = Matrix6::Zero();
   double whole_weight_ = 0;
 };
 
