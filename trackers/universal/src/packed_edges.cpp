@@ -3,9 +3,19 @@
 #include "packed_edges.h"
 
 #include <algorithm>
+#include <cstring>
 
 namespace anneal6d {
 namespace {
+
+/// Which of eight pixels are not 0, the first as the lowest bit.
+std::uint32_t bits_of(std::uint64_t eight_pixels) {
+  constexpr std::uint64_t kTop = 0x8080808080808080;
+  // Adding 127 carries into the top bit of a byte unless its lower bits are all 0.
+  const std::uint64_t tops = (((eight_pixels & ~kTop) + ~kTop) | eight_pixels) & kTop;
+  // Byte k's bit is shifted to place 56 + k; no two of the products meet.
+  return static_cast<std::uint32_t>((tops >> 7) * 0x0102040810204080 >> 56);
+}
 
 /// Of the runs of set bits in `runs`, those bits that are at or above a bit of `seeds`: a sum
 /// carries through the rest of a run.
@@ -55,9 +65,14 @@ void PackedEdges::assign(const cv::Mat& binary) {
   for (int y = 0; y < size_.height; ++y) {
     const auto* const from = binary.ptr<std::uint8_t>(y);
     auto* const to = words_.data() + static_cast<std::size_t>(y) * words_a_row_;
-    for (int x = 0; x < size_.width; ++x) {
-      to[x / 32] |= static_cast<std::uint32_t>(from[x] != 0) << (x % 32);
-    }
+    const auto pack = [&](int x, std::size_t count) {
+      std::uint64_t pixels = 0;
+      std::memcpy(&pixels, from + x, count);
+      if (pixels != 0) to[x / 32] |= bits_of(pixels) << (x % 32);
+    };
+    int x = 0;
+    for (; x + 8 <= size_.width; x += 8) pack(x, 8);
+    pack(x, static_cast<std::size_t>(size_.width - x));
   }
 }
 

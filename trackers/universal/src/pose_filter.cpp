@@ -3,10 +3,15 @@
 #include "pose_filter.h"
 
 namespace anneal6d {
+namespace {
+
+constexpr std::size_t kPosesPerTask = 64;
+
+}  // namespace
 
 PoseFilter::PoseFilter(PoseScorer& scorer, const RatingOptions& rating,
-                       const Eigen::Vector3d& center_mm)
-    : scorer_(scorer), rating_(rating), center_mm_(center_mm) {}
+                       const Eigen::Vector3d& center_mm, Workers& workers)
+    : scorer_(scorer), rating_(rating), center_mm_(center_mm), workers_(workers) {}
 
 Pose PoseFilter::to_center(const Pose& camera_from_object) const {
   return {camera_from_object.rotation, camera_from_object * center_mm_};
@@ -17,7 +22,7 @@ Pose PoseFilter::to_object(const Pose& camera_from_center) const {
 }
 
 void PoseFilter::predict(std::span<Pose> states, const RandomKey& key) {
-  for (std::size_t i = 0; i < states.size(); ++i) {
+  workers_.each(states.size(), kPosesPerTask, [&](std::size_t i) {
     RandomKey own = key;
     own.particle = static_cast<std::uint32_t>(i);
     Twist noise;
@@ -28,7 +33,7 @@ void PoseFilter::predict(std::span<Pose> states, const RandomKey& key) {
     }
     const Twist twist = layer_.drift + layer_.diffusion * noise;
     states[i] = moved(states[i], twist);
-  }
+  });
   if (layer_.incumbent) states[0] = *layer_.incumbent;
 }
 

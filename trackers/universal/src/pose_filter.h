@@ -11,6 +11,7 @@
 #include "anneal6d/framework/rating.h"
 #include "region_cue.h"
 #include "twist.h"
+#include "workers.h"
 
 namespace anneal6d {
 
@@ -38,8 +39,10 @@ class PoseFilter final : public ParticleFilter<Pose> {
     double region_weight = 0;
   };
 
-  /// `scorer` outlives the filter. `center_mm`: the centre of the object, object frame.
-  PoseFilter(PoseScorer& scorer, const RatingOptions& rating, const Eigen::Vector3d& center_mm);
+  /// `scorer` and `workers` outlive the filter. `center_mm`: the centre of the object, object
+  /// frame.
+  PoseFilter(PoseScorer& scorer, const RatingOptions& rating, const Eigen::Vector3d& center_mm,
+             Workers& workers);
 
   /// Colours to rate poses by, beside the scorer; outlives the filter.
   void set_region_cue(const RegionCue& region) { region_ = &region; }
@@ -61,6 +64,7 @@ class PoseFilter final : public ParticleFilter<Pose> {
   PoseScorer& scorer_;
   RatingOptions rating_;
   Eigen::Vector3d center_mm_;
+  Workers& workers_;
   const RegionCue* region_ = nullptr;
   Layer layer_;
   std::vector<double> agreements_;

@@ -66,9 +66,9 @@ double quality_of(double support_beyond_chance) {
 
 /// What the default mode works with; the thesis's does without.
 struct Sight {
-  Sight(const ScorerSetup& setup, PoseFilter& filter, const PoseSearch::Effort& effort)
-      : workers(setup.threads),
-        views(view_model_of(setup)),
+  Sight(const ScorerSetup& setup, PoseFilter& filter, const PoseSearch::Effort& effort,
+        Workers& workers)
+      : views(view_model_of(setup)),
         refiner(*views, setup.camera),
         region(*views, setup.camera, workers),
         search(filter, refiner, workers, effort, setup.mesh->radius_mm()) {
@@ -85,7 +85,6 @@ struct Sight {
     ViewPainter painter;
   };
 
-  Workers workers;
   std::shared_ptr<const ViewModel> views;
   Refiner refiner;
   RegionCue region;
@@ -105,10 +104,12 @@ class UniversalTracker final : public RigidObjectTracker {
         options_(options),
         symmetry_(setup.symmetry),
         scorer_(make_plugin(setup.scorers, "scorer", options.scorer, drawing)),
-        filter_(*scorer_, options.rating, setup.mesh->center_mm().cast<double>()),
+        workers_(options.threads),
+        filter_(*scorer_, options.rating, setup.mesh->center_mm().cast<double>(), workers_),
         motion_(options.sigma_mm, options.sigma_deg * kDegree) {
     if (options.mode == UniversalMode::standard) {
-      sight_.emplace(drawing, filter_, PoseSearch::Effort{options.particles, options.layers});
+      sight_.emplace(drawing, filter_, PoseSearch::Effort{options.particles, options.layers},
+                     workers_);
     }
   }
 
@@ -281,7 +282,7 @@ class UniversalTracker final : public RigidObjectTracker {
       }
     }
     std::vector<Refiner::Result> others(starts.size() + 1);
-    sight_->workers.each(others.size(), 1, [&](std::size_t i) {
+    workers_.each(others.size(), 1, [&](std::size_t i) {
       others[i] = i < starts.size() ? refiner.refine(starts[i], starts[i], kNeighbourReach_px,
                                                      appearance, Refiner::Care::quick)
                                     : refiner.examine(refined.camera_from_object, appearance,
@@ -374,6 +375,7 @@ class UniversalTracker final : public RigidObjectTracker {
   UniversalTrackerOptions options_;
   Symmetry symmetry_;
   std::unique_ptr<PoseScorer> scorer_;
+  Workers workers_;
   PoseFilter filter_;
   MotionModel motion_;
   PoseUncertainty uncertainty_;

@@ -7,14 +7,18 @@
 #include <tbb/task_arena.h>
 
 #include <cstddef>
+#include <optional>
 
 namespace anneal6d {
 
 /// Threads for loops whose passes do not depend on each other.
 class Workers {
  public:
-  /// 0 threads: as many as there are cores.
-  explicit Workers(int threads) : arena_(threads > 0 ? threads : tbb::task_arena::automatic) {}
+  /// 0 threads: the caller's own arena, which has all cores unless the caller says otherwise. Loops
+  /// of several `Workers` then find each other's threads awake.
+  explicit Workers(int threads) {
+    if (threads > 0) arena_.emplace(threads);
+  }
 
   /// Calls `pass(i)` for each i below `count`, in any order; `grain` passes are worth a task.
   template <class Pass>
@@ -23,15 +27,20 @@ class Workers {
       for (std::size_t i = 0; i < count; ++i) pass(i);
       return;
     }
-    arena_.execute([&] {
+    const auto loop = [&] {
       tbb::parallel_for(tbb::blocked_range<std::size_t>(0, count, grain), [&](const auto& range) {
         for (std::size_t i = range.begin(); i < range.end(); ++i) pass(i);
       });
-    });
+    };
+    if (arena_) {
+      arena_->execute(loop);
+    } else {
+      tbb::this_task_arena::isolate(loop);  // while waiting, no other task of the caller's
+    }
   }
 
  private:
-  tbb::task_arena arena_;
+  std::optional<tbb::task_arena> arena_;
 };
 
 }  // namespace anneal6d
