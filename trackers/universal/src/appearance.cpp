@@ -11,6 +11,7 @@ namespace {
 constexpr float kLearningRate = 0.2F;  // as SRT3D (Stoiber et al., IJCV 2022)
 constexpr std::size_t kFewest = 100;   // pixels
 constexpr float kUnseen = 4e-4F;       // frequency below which a colour says nothing
+constexpr float kForgotten = 4e-6F;    // too little to change the odds by a step
 
 }  // namespace
 
@@ -24,24 +25,29 @@ void Appearance::learn(const std::vector<std::uint16_t>& object,
                        const std::vector<std::uint16_t>& beside) {
   if (object.size() < kFewest || beside.size() < kFewest) return;
   const float rate = learned_ ? kLearningRate : 1.0F;
-  const auto take_in = [rate](const std::vector<std::uint16_t>& bins,
-                              std::vector<float>& frequency) {
-    for (float& value : frequency) value *= 1.0F - rate;
+  for (const std::uint16_t bin : seen_) {
+    object_[bin] *= 1.0F - rate;
+    beside_[bin] *= 1.0F - rate;
+  }
+  const auto take_in = [&](const std::vector<std::uint16_t>& bins, std::vector<float>& frequency) {
     const float share = rate / static_cast<float>(bins.size());
-    for (const std::uint16_t bin : bins) frequency[bin] += share;
+    for (const std::uint16_t bin : bins) {
+      if (object_[bin] == 0.0F && beside_[bin] == 0.0F) seen_.push_back(bin);
+      frequency[bin] += share;
+    }
   };
   take_in(object, object_);
   take_in(beside, beside_);
   learned_ = true;
-  for (std::size_t i = 0; i < log_odds_.size(); ++i) {
-    if (object_[i] == 0.0F && beside_[i] == 0.0F) {
-      log_odds_[i] = 0;
-      continue;
-    }
-    const float odds = std::log((object_[i] + kUnseen) / (beside_[i] + kUnseen));
+  std::erase_if(seen_, [&](std::uint16_t bin) {
+    const bool forgotten = object_[bin] + beside_[bin] < kForgotten;
+    if (forgotten) object_[bin] = beside_[bin] = 0.0F;
+    const float odds = std::log((object_[bin] + kUnseen) / (beside_[bin] + kUnseen));
     const float limit = kLimit;
-    log_odds_[i] = static_cast<std::int8_t>(std::lround(std::clamp(odds * kScale, -limit, limit)));
-  }
+    log_odds_[bin] =
+        static_cast<std::int8_t>(std::lround(std::clamp(odds * kScale, -limit, limit)));
+    return forgotten;
+  });
 }
 
 }  // namespace anneal6d

@@ -40,6 +40,7 @@ class Appearance {
   int channels_;
   bool learned_ = false;
   std::vector<float> object_, beside_;  ///< relative frequencies
+  std::vector<std::uint16_t> seen_;     ///< bins of which one of them is not 0
   std::vector<std::int8_t> log_odds_;
 };
 

@@ -131,7 +131,7 @@ bool ContourExtractor::is_crowded(const ContourPoint& point, const View& view) c
   for (double distance = kCrowdedFrom_px; distance <= kCrowdedTo_px; distance += 0.45) {
     for (const double side : {-distance, distance}) {
       const Eigen::Vector2d p = image_px + side * point.normal;
-      const int x = static_cast<int>(std::lround(p.x())), y = static_cast<int>(std::lround(p.y()));
+      const int x = cvRound(p.x()), y = cvRound(p.y());
       if (x < 0 || y < 0 || x >= drawn_.cols || y >= drawn_.rows) continue;
       if (drawn_.at<std::uint8_t>(y, x)) return true;
     }
@@ -168,7 +168,7 @@ void ContourExtractor::add_mesh_edge(const MeshEdge& edge, const View& view,
   normal.normalize();
 
   const bool round = silhouette && !edge.crease && !edge.border;
-  const int steps = std::max(1, static_cast<int>(std::lround(length_px)));
+  const int steps = std::max(1, cvRound(length_px));
   if (steps > 4 * (view.camera.width_px + view.camera.height_px)) return;  // touches the camera
   for (int i = 0; i < steps; ++i) {
     // Even steps in the image are uneven in space: interpolate by inverse depth.
@@ -178,8 +178,8 @@ void ContourExtractor::add_mesh_edge(const MeshEdge& edge, const View& view,
     const Eigen::Vector2d image_px = from_px + s * along_px;
     if (!inside_image(image_px, view.camera)) continue;
 
-    const int x = static_cast<int>(std::lround(image_px.x()));
-    const int y = static_cast<int>(std::lround(image_px.y()));
+    const int x = cvRound(image_px.x());
+    const int y = cvRound(image_px.y());
     // Beside the contour of a round surface the surface falls towards the camera: a sphere of
     // radius r by sqrt(2 r d) at a distance d.
     const double fall_mm =
@@ -196,8 +196,7 @@ void ContourExtractor::add_mesh_edge(const MeshEdge& edge, const View& view,
       bool stands_out = false;
       for (const double side : {-kSilhouetteProbe_px, kSilhouetteProbe_px}) {
         const Eigen::Vector2d probe = image_px + side * normal;
-        const float behind = depth_at(view, static_cast<int>(std::lround(probe.x())),
-                                      static_cast<int>(std::lround(probe.y())));
+        const float behind = depth_at(view, cvRound(probe.x()), cvRound(probe.y()));
         stands_out |= behind == 0.0F || behind > z_mm + kSilhouetteDepth * diameter_mm_;
       }
       if (!stands_out) continue;
@@ -228,8 +227,8 @@ void ContourExtractor::add_bends(const View& view, double spacing_px,
   const cv::Point origin(view.region.x, view.region.y);
   for (const SurfaceBends::Bend& bend :
        bends_.find(view.depth_mm, origin, view.camera, kSilhouetteDepth * diameter_mm_)) {
-    const int x = static_cast<int>(std::lround(bend.place_px.x()));
-    const int y = static_cast<int>(std::lround(bend.place_px.y()));
+    const int x = cvRound(bend.place_px.x());
+    const int y = cvRound(bend.place_px.y());
     const cv::Rect around(x - kBendApart_px, y - kBendApart_px, 2 * kBendApart_px + 1,
                           2 * kBendApart_px + 1);
     // A crease of the mesh is there already.

@@ -3,6 +3,7 @@
 #pragma once
 
 #include <Eigen/Core>
+#include <array>
 #include <opencv2/core/mat.hpp>
 #include <vector>
 
@@ -27,18 +28,17 @@ class SurfaceBends {
                                 const CameraModel& camera, double jump_mm);
 
  private:
+  using Plane = Eigen::Array<float, Eigen::Dynamic, Eigen::Dynamic, Eigen::RowMajor>;
+
   void find_normals(const cv::Mat& depth_mm, const cv::Point& origin, const CameraModel& camera,
                     double jump_mm);
-  /// How far the normal turns between two pixels before and behind one, and the products of its
-  /// differences along rows and columns, which tell the direction.
-  struct Turn {
-    float amount = 0;  ///< about the angle, rad; 0 where there is no surface all around
-    float xx = 0, yy = 0, xy = 0;
-  };
-  Turn turn_at(int x, int y) const;
+  void find_turns();
+  Eigen::Vector3f normal_at(int x, int y) const;
 
-  cv::Mat normals_;  ///< CV_32FC3, camera frame; zero where there is none
-  cv::Mat amounts_;  ///< CV_32FC1, Turn::amount
+  std::array<Plane, 3> normals_;  ///< x, y, z in the camera frame; zero where there is none
+  /// How far the normal turns between two pixels before and behind one, about the angle, rad; 0
+  /// where there is no surface all around.
+  Plane turns_;
   std::vector<Bend> bends_;
 };
 

@@ -73,8 +73,8 @@ ModelView ViewPainter::paint(const Eigen::Vector3d& direction, std::uint32_t see
 }
 
 float ViewPainter::depth_at(const Eigen::Vector2d& image_px) const {
-  const int x = static_cast<int>(std::lround(image_px.x())) - region_.x;
-  const int y = static_cast<int>(std::lround(image_px.y())) - region_.y;
+  const int x = cvRound(image_px.x()) - region_.x;
+  const int y = cvRound(image_px.y()) - region_.y;
   if (x < 0 || y < 0 || x >= region_.width || y >= region_.height) return 0.0F;
   return depth_mm_.at<float>(y, x);
 }
