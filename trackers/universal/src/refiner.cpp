@@ -75,11 +75,10 @@ Refiner::Result Refiner::refine(const Pose& start_camera_from_object,
   return result;
 }
 
-Pose Refiner::polish(const Pose& refined_camera_from_object,
-                     const Pose& expected_camera_from_object, const ModelView& view,
+Pose Refiner::polish(const Pose& refined_camera_from_object, const ModelView& view,
                      const Appearance& appearance) const {
   ContourMatch contour = match();
-  contour.expect(to_center(expected_camera_from_object));
+  contour.expect(to_center(refined_camera_from_object));
   Pose pose = refined_camera_from_object;
   for (int round = 0; round < kPolishingRounds && !smooth_.empty(); ++round) {
     contour.project(pose, view, view.contour.size());

@@ -52,9 +52,10 @@ class Refiner {
   Result refine(const Pose& start_camera_from_object, const Pose& expected_camera_from_object,
                 double reach_px, const Appearance& appearance, Care care = Care::full) const;
 
-  /// Goes on from a refined pose with `view`, the contour exactly as at that pose.
-  Pose polish(const Pose& refined_camera_from_object, const Pose& expected_camera_from_object,
-              const ModelView& view, const Appearance& appearance) const;
+  /// Goes on from a refined pose with `view`, the contour exactly as at that pose. What the edges
+  /// leave open stays as it is.
+  Pose polish(const Pose& refined_camera_from_object, const ModelView& view,
+              const Appearance& appearance) const;
 
   /// How well the image confirms a pose.
   Result examine(const Pose& camera_from_object, const Appearance& appearance,

@@ -39,7 +39,7 @@ constexpr double kFirstSupport = 0.8;
 constexpr double kSupportRise = 0.1, kSupportFall = 0.3;  // the same in the usual support
 constexpr double kWindow_px = 30.0;  // around the object, and three deviations of its motion
 constexpr double kLeastReach_px = 6.0, kMostReach_px = 16.0;
-constexpr std::size_t kSmallModel = 4000;         // triangles, drawn in less than a millisecond
+constexpr std::size_t kSmallModel = 40000;         // triangles, drawn in less than a millisecond
 constexpr double kRight_mm = 10, kRight_deg = 2;  // what quality is the probability of
 constexpr double kFarthest = 4;                   // of a particle, in standard deviations
 constexpr double kLostQuality = 0.25;
@@ -212,7 +212,7 @@ class UniversalTracker final : public RigidObjectTracker {
     if (sight_->exact) {
       const ModelView view = sight_->exact->painter.paint_contour(best.camera_from_object);
       best.camera_from_object =
-          sight_->refiner.polish(best.camera_from_object, guess, view, appearance);
+          sight_->refiner.polish(best.camera_from_object, view, appearance);
     }
     Pose found = filter_.to_center(best.camera_from_object);
     found.rotation = symmetry_.fold(found.rotation, last.rotation);
