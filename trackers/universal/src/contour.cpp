@@ -22,6 +22,7 @@ constexpr double kCreaseLength = 0.03;     // of the diameter; shorter creases a
 constexpr double kVisibleDepth = 0.01;     // of the diameter: tolerance of the hidden-point test
 constexpr double kSilhouetteDepth = 0.02;  // of the diameter: a silhouette has at least this behind
 constexpr double kSilhouetteProbe_px = 0.75;
+constexpr float kClearHeight_mm = 1e-3F;  // of the camera above a face, beyond rounding
 // Edges between these distances disturb each other; nearer ones are parts of one zigzag.
 constexpr double kCrowdedFrom_px = 1.3;
 constexpr double kCrowdedTo_px = 4.0;
@@ -93,6 +94,18 @@ ContourExtractor::ContourExtractor(const TriangleMesh& mesh) : diameter_mm_(mesh
     // Edges inside a flat face can never be seen.
     if (edge.border || cosine < 1.0 - 1e-9) edges_.push_back(edge);
   }
+  const auto count = static_cast<Eigen::Index>(edges_.size());
+  planes_a_.resize(count, 4);
+  planes_b_.resize(count, 4);
+  for (Eigen::Index i = 0; i < count; ++i) {
+    const MeshEdge& edge = edges_[static_cast<std::size_t>(i)];
+    const auto plane = [&](const Eigen::Vector3d& normal) -> Eigen::RowVector4f {
+      return Eigen::RowVector4d(normal.x(), normal.y(), normal.z(), -normal.dot(edge.from_mm))
+          .cast<float>();
+    };
+    planes_a_.row(i) = plane(edge.normal_a);
+    planes_b_.row(i) = plane(edge.normal_b);
+  }
 }
 
 bool ContourExtractor::claim_cell(const Eigen::Vector2d& image_px, const Region& region,
@@ -117,7 +130,17 @@ void ContourExtractor::extract(const View& view, double spacing_px, bool texture
   drawn_.setTo(0);
   const Eigen::Matrix3d rotation = view.camera_from_object.rotation.toRotationMatrix();
   const Eigen::Vector3d camera_in_object_mm = view.camera_from_object.inverse().translation_mm;
-  for (const MeshEdge& edge : edges_) {
+  const Eigen::Vector4f camera = camera_in_object_mm.homogeneous().cast<float>();
+  height_a_.noalias() = planes_a_ * camera;
+  height_b_.noalias() = planes_b_ * camera;
+  for (std::size_t i = 0; i < edges_.size(); ++i) {
+    // Most edges lie between faces that are both in front of the camera, or both turned away.
+    const auto index = static_cast<Eigen::Index>(i);
+    const float a = height_a_[index], b = height_b_[index];
+    const bool turned_alike = (a > kClearHeight_mm && b > kClearHeight_mm) ||
+                              (a < -kClearHeight_mm && b < -kClearHeight_mm);
+    const MeshEdge& edge = edges_[i];
+    if (turned_alike && !edge.crease && !edge.border) continue;
     add_mesh_edge(edge, view, rotation, camera_in_object_mm, spacing_px, points);
   }
   for (ContourPoint& point : points) point.crowded = is_crowded(point, view);

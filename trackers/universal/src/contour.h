@@ -70,7 +70,13 @@ class ContourExtractor {
   bool claim_cell(const Eigen::Vector2d& image_px, const Region& region, double spacing_px);
   bool is_crowded(const ContourPoint& point, const View& view) const;
 
+  /// The planes of the faces on one side of each edge: products with a point in homogeneous
+  /// coordinates are its heights above them, mm.
+  using Planes = Eigen::Matrix<float, Eigen::Dynamic, 4>;
+
   std::vector<MeshEdge> edges_;
+  Planes planes_a_, planes_b_;
+  Eigen::VectorXf height_a_, height_b_;  ///< of the camera
   double diameter_mm_;
   bool bent_ = false;                ///< the surface has bends that are no creases
   std::vector<std::uint8_t> cells_;  ///< where points were placed already

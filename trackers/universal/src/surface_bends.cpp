@@ -101,15 +101,14 @@ const std::vector<SurfaceBends::Bend>& SurfaceBends::find(const cv::Mat& depth_m
       if (here < kLeastTurn) continue;
       const Eigen::Vector3f along_x = normal_at(x + kReach_px, y) - normal_at(x - kReach_px, y);
       const Eigen::Vector3f along_y = normal_at(x, y + kReach_px) - normal_at(x, y - kReach_px);
-      const double angle = 0.5 * std::atan2(2.0F * along_x.dot(along_y),
-                                            along_x.squaredNorm() - along_y.squaredNorm());
-      const Eigen::Vector2d across(std::cos(angle), std::sin(angle));
+      const float xx_less_yy = along_x.squaredNorm() - along_y.squaredNorm();
       // A ridge along the stronger axis, which falls off on both sides, and its place between
       // pixels.
-      const int sx = std::abs(across.x()) >= std::abs(across.y()) ? 1 : 0, sy = 1 - sx;
-      const float before = turns_(y - sy, x - sx);
-      const float after = turns_(y + sy, x + sx);
+      const int sx = xx_less_yy >= 0 ? 1 : 0, sy = 1 - sx;
+      const float before = turns_(y - sy, x - sx), after = turns_(y + sy, x + sx);
       if (here < before || here <= after) continue;
+      const double angle = 0.5 * std::atan2(2.0F * along_x.dot(along_y), xx_less_yy);
+      const Eigen::Vector2d across(std::cos(angle), std::sin(angle));
       const auto beside = [&](double distance) {
         return turns_(y + cvRound(distance * across.y()), x + cvRound(distance * across.x()));
       };
