@@ -10,8 +10,6 @@
 namespace anneal6d {
 namespace {
 
-constexpr double kFeigned = 0.005;  // share of visible motion, see `solve`
-
 double squared(double x) { return x * x; }
 
 }  // namespace
@@ -123,10 +121,10 @@ void ContourMatch::step(double reach_px) {
   shares_ = unit_.asDiagonal() * normal_matrix * unit_.asDiagonal();
   whole_weight_ = whole_weight;
   // Along each eigenvector: the expected pose at share 0, the edges' at share 1, half of each at
-  // kFeigned.
+  // the feigned one.
   const Twist away = twist_between(expected_center_, moved(start_, motion_)).cwiseQuotient(unit_);
   const Twist pull = right_side.cwiseProduct(unit_);
-  const Matrix6 gain = shares_ * shares_ + kFeigned * kFeigned * Matrix6::Identity();
+  const Matrix6 gain = shares_ * shares_ + feigned_share_ * feigned_share_ * Matrix6::Identity();
   const Twist along = gain.ldlt().solve(shares_ * (shares_ * away + pull)) - away;
   const Twist twist = unit_.cwiseProduct(along);
   if (twist.allFinite()) motion_ += twist;

@@ -40,8 +40,12 @@ class ContourMatch {
                const Eigen::Vector3d& center_mm);
 
   /// What the edges leave open, such as the turn of a cup whose handle is hidden, is taken from
-  /// this pose (camera_from_center).
-  void expect(const Pose& camera_from_center) { expected_center_ = camera_from_center; }
+  /// this pose (camera_from_center). Errors of the contour let edges seem to show `feigned_share`
+  /// of a motion, 0..1, that they do not show.
+  void expect(const Pose& camera_from_center, double feigned_share) {
+    expected_center_ = camera_from_center;
+    feigned_share_ = feigned_share;
+  }
 
   /// Takes the first `most_points` of a view's contour, as far as they are in the picture.
   void project(const Pose& camera_from_object, const ModelView& view, std::size_t most_points);
@@ -69,6 +73,7 @@ class ContourMatch {
   const CameraModel& camera_;
   Eigen::Vector3d center_mm_;
   Pose expected_center_;
+  double feigned_share_ = 1;
   std::vector<Target> targets_;
   Pose start_;  ///< camera_from_center of the projection
   Twist motion_ = Twist::Zero();

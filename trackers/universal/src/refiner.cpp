@@ -3,6 +3,7 @@
 #include "refiner.h"
 
 #include <algorithm>
+#include <array>
 #include <cmath>
 #include <opencv2/imgproc.hpp>
 
@@ -14,10 +15,13 @@ namespace {
 constexpr std::size_t kFewPoints = 100;
 constexpr std::size_t kAllPoints = 240;
 constexpr int kCoarseRounds = 2;  // with few points; quick refinements have no others
-constexpr int kRounds = 4;
-constexpr int kPolishingRounds = 2;
+constexpr int kRounds = 3;
 constexpr int kStepsPerRound = 3;
 constexpr double kFinestReach_px = 2.5;
+// Polishing ends so narrow that edges which are off, as silhouettes are by shading, lose their say.
+constexpr std::array kPolishingReaches_px = {1.5, 0.75, 0.375};
+// See ContourMatch::expect; contours of views are those of poses a few degrees away.
+constexpr double kViewFeigned = 0.005, kExactFeigned = 0.001;
 constexpr double kSupport_px = 2.0;
 constexpr double kFit_px = 0.5;
 constexpr int kAside_px = 8, kAsideReach_px = 2;  // where edges are no edges of the contour
@@ -56,7 +60,7 @@ Refiner::Result Refiner::refine(const Pose& start_camera_from_object,
                                 const Pose& expected_camera_from_object, double reach_px,
                                 const Appearance& appearance, Care care) const {
   ContourMatch contour = match();
-  contour.expect(to_center(expected_camera_from_object));
+  contour.expect(to_center(expected_camera_from_object), kViewFeigned);
   Pose pose = start_camera_from_object;
   double reach = reach_px;
   const int rounds = care == Care::quick ? kCoarseRounds : kRounds;
@@ -78,13 +82,14 @@ Refiner::Result Refiner::refine(const Pose& start_camera_from_object,
 Pose Refiner::polish(const Pose& refined_camera_from_object, const ModelView& view,
                      const Appearance& appearance) const {
   ContourMatch contour = match();
-  contour.expect(to_center(refined_camera_from_object));
+  if (smooth_.empty()) return refined_camera_from_object;
+  contour.expect(to_center(refined_camera_from_object), kExactFeigned);
   Pose pose = refined_camera_from_object;
-  for (int round = 0; round < kPolishingRounds && !smooth_.empty(); ++round) {
+  for (const double reach_px : kPolishingReaches_px) {
     contour.project(pose, view, view.contour.size());
     if (contour.targets().size() < kFewestPoints) return refined_camera_from_object;
-    contour.observe(static_cast<int>(std::ceil(kFinestReach_px)), appearance);
-    for (int i = 0; i < kStepsPerRound; ++i) contour.step(kFinestReach_px);
+    contour.observe(static_cast<int>(std::ceil(reach_px)), appearance);
+    for (int i = 0; i < kStepsPerRound; ++i) contour.step(reach_px);
     pose = contour.camera_from_object();
   }
   return pose;

@@ -39,7 +39,7 @@ constexpr double kFirstSupport = 0.8;
 constexpr double kSupportRise = 0.1, kSupportFall = 0.3;  // the same in the usual support
 constexpr double kWindow_px = 30.0;  // around the object, and three deviations of its motion
 constexpr double kLeastReach_px = 6.0, kMostReach_px = 16.0;
-constexpr std::size_t kSmallModel = 40000;         // triangles, drawn in less than a millisecond
+constexpr std::size_t kLargeModel = 40'000;       // triangles, too many to be drawn in every frame
 constexpr double kRight_mm = 10, kRight_deg = 2;  // what quality is the probability of
 constexpr double kFarthest = 4;                   // of a particle, in standard deviations
 constexpr double kLostQuality = 0.25;
@@ -73,10 +73,10 @@ struct Sight {
         region(*views, setup.camera, workers),
         search(filter, refiner, workers, effort, setup.mesh->radius_mm()) {
     filter.set_region_cue(region);
-    if (setup.mesh->triangles().size() <= kSmallModel) exact = std::make_unique<Exact>(setup);
+    if (setup.mesh->triangles().size() < kLargeModel) exact = std::make_unique<Exact>(setup);
   }
 
-  /// The contour of a small model can be had exactly, frame by frame.
+  /// The contour exactly as it is at a pose, drawn frame by frame.
   struct Exact {
     explicit Exact(const ScorerSetup& setup)
         : model(setup.mesh, setup.textured),
@@ -89,7 +89,7 @@ struct Sight {
   Refiner refiner;
   RegionCue region;
   PoseSearch search;
-  std::unique_ptr<Exact> exact;          ///< null for large models
+  std::unique_ptr<Exact> exact;          ///< null for very large models
   std::optional<Appearance> appearance;  ///< for as many channels as the frames have
 };
 
@@ -211,8 +211,7 @@ class UniversalTracker final : public RigidObjectTracker {
                       (best.support - usual_support_);
     if (sight_->exact) {
       const ModelView view = sight_->exact->painter.paint_contour(best.camera_from_object);
-      best.camera_from_object =
-          sight_->refiner.polish(best.camera_from_object, view, appearance);
+      best.camera_from_object = sight_->refiner.polish(best.camera_from_object, view, appearance);
     }
     Pose found = filter_.to_center(best.camera_from_object);
     found.rotation = symmetry_.fold(found.rotation, last.rotation);
