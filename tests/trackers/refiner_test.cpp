@@ -5,6 +5,7 @@
 #include <gtest/gtest.h>
 
 #include "synthetic.h"
+#include "view_painter.h"
 #include "workers.h"
 
 namespace anneal6d {
@@ -216,6 +217,57 @@ TEST(Refining, LearnsTheColoursOnBothSidesOfTheSilhouette) {
   const Eigen::Vector2d middle = camera().project(truth.translation_mm);
   const auto* const face = image.ptr(static_cast<int>(middle.y())) + static_cast<int>(middle.x());
   EXPECT_GE(appearance.log_odds(appearance.bin(face)), 0);
+}
+
+constexpr double kFeigned = 0.005;
+
+/// A refinement before and after polishing.
+struct Polished {
+  Refiner::Result before, after;
+};
+Polished polish_beside(const Object& object, const Pose& truth, const Pose& start) {
+  const cv::Mat image = test::photograph(object.model, camera(), truth, 20);
+  Refiner refiner(object.views, camera());
+  refiner.set_image(image, whole(image));
+  ViewPainter painter(object.model, {.threshold = 40}, Shading{}, camera());
+  const Refiner::Result before{.camera_from_object = start, .support = 0.5};
+  return {before, refiner.polish(before, painter.paint_contour(start), kFeigned, Appearance(1))};
+}
+
+TEST(PolishingAfterRefining, EndsWithinHundredthsOfAMillimetre) {
+  const Pose truth = corner_view();
+  const Pose start = beside(*box().mesh, truth, {0.2, -0.1, 0.1}, {0.1, -0.1, 0.5});
+  const Polished polished = polish_beside(box(), truth, start);
+  EXPECT_LT(center_distance_mm(*box().mesh, polished.after.camera_from_object, truth), 0.05);
+  EXPECT_LT(angle_deg(polished.after.camera_from_object, truth), 0.03);
+  EXPECT_EQ(polished.after.support, polished.before.support);  // of the refinement
+}
+
+TEST(PolishingAfterRefining, LeavesWhatTheEdgesLeaveOpen) {
+  const Object bowl(test::make_bowl(50));
+  const Pose truth = test::pose_with_center(
+      *bowl.mesh, rotation_from_axis_angle(Eigen::Vector3d::UnitX(), 2.4), {0, 0, 320});
+  const Eigen::Quaterniond turn = rotation_from_axis_angle(Eigen::Vector3d::UnitZ(), 0.35);
+  const Pose turned{truth.rotation * turn, truth.translation_mm};
+  const Pose start = beside(*bowl.mesh, turned, {0.2, 0, 0}, {0.1, 0.1, 0.3});
+  const Pose after = polish_beside(bowl, truth, start).after.camera_from_object;
+  EXPECT_LT(angle_deg(after, turned), 1.0);
+  EXPECT_LT(center_distance_mm(*bowl.mesh, after, truth), 0.1);
+}
+
+TEST(PolishingAfterRefining, ReportsWhichMotionsTheExactContourShows) {
+  const Pose truth = corner_view();
+  EXPECT_LT(polish_beside(box(), truth, truth).after.unseen.norm(), 0.5);
+}
+
+TEST(PolishingAfterRefining, ChangesNothingWithoutAnImage) {
+  const Refiner refiner(box().views, camera());
+  ViewPainter painter(box().model, {.threshold = 40}, Shading{}, camera());
+  const Refiner::Result before{.camera_from_object = corner_view(), .support = 0.5};
+  const Refiner::Result after = refiner.polish(
+      before, painter.paint_contour(before.camera_from_object), kFeigned, Appearance(1));
+  EXPECT_EQ(after.camera_from_object.translation_mm, before.camera_from_object.translation_mm);
+  EXPECT_EQ(after.unseen, before.unseen);
 }
 
 // Named apart from the tests above, which ThreadSanitizer leaves out.

@@ -10,6 +10,8 @@
 namespace anneal6d {
 namespace {
 
+constexpr double kDoubt = 5;  // how much larger feigned shares may be than is assumed for steps
+
 double squared(double x) { return x * x; }
 
 }  // namespace
@@ -137,8 +139,8 @@ Pose ContourMatch::camera_from_object() const {
 
 ContourMatch::Matrix6 ContourMatch::unseen() const {
   // With feigned shares as large as they are seen to be, instead of as they do the least harm.
-  constexpr double kDoubtful = 0.015;
-  const Matrix6 doubt = kDoubtful * kDoubtful * Matrix6::Identity();
+  const double doubtful = kDoubt * feigned_share_;
+  const Matrix6 doubt = doubtful * doubtful * Matrix6::Identity();
   const Matrix6 unseen = (shares_ * shares_ + doubt).ldlt().solve(doubt);
   return unit_.asDiagonal() * unseen * unit_.cwiseInverse().asDiagonal();
 }

@@ -21,7 +21,7 @@ constexpr double kFinestReach_px = 2.5;
 // Polishing ends so narrow that edges which are off, as silhouettes are by shading, lose their say.
 constexpr std::array kPolishingReaches_px = {1.5, 0.75, 0.375};
 // See ContourMatch::expect; contours of views are those of poses a few degrees away.
-constexpr double kViewFeigned = 0.005, kExactFeigned = 0.001;
+constexpr double kFeigned = 0.005;
 constexpr double kSupport_px = 2.0;
 constexpr double kFit_px = 0.5;
 constexpr int kAside_px = 8, kAsideReach_px = 2;  // where edges are no edges of the contour
@@ -60,7 +60,7 @@ Refiner::Result Refiner::refine(const Pose& start_camera_from_object,
                                 const Pose& expected_camera_from_object, double reach_px,
                                 const Appearance& appearance, Care care) const {
   ContourMatch contour = match();
-  contour.expect(to_center(expected_camera_from_object), kViewFeigned);
+  contour.expect(to_center(expected_camera_from_object), kFeigned);
   Pose pose = start_camera_from_object;
   double reach = reach_px;
   const int rounds = care == Care::quick ? kCoarseRounds : kRounds;
@@ -79,20 +79,21 @@ Refiner::Result Refiner::refine(const Pose& start_camera_from_object,
   return result;
 }
 
-Pose Refiner::polish(const Pose& refined_camera_from_object, const ModelView& view,
-                     const Appearance& appearance) const {
+Refiner::Result Refiner::polish(const Result& refined, const ModelView& view, double feigned_share,
+                                const Appearance& appearance) const {
+  if (smooth_.empty()) return refined;
   ContourMatch contour = match();
-  if (smooth_.empty()) return refined_camera_from_object;
-  contour.expect(to_center(refined_camera_from_object), kExactFeigned);
-  Pose pose = refined_camera_from_object;
+  contour.expect(to_center(refined.camera_from_object), feigned_share);
+  Result polished = refined;
   for (const double reach_px : kPolishingReaches_px) {
-    contour.project(pose, view, view.contour.size());
-    if (contour.targets().size() < kFewestPoints) return refined_camera_from_object;
+    contour.project(polished.camera_from_object, view, view.contour.size());
+    if (contour.targets().size() < kFewestPoints) return refined;
     contour.observe(static_cast<int>(std::ceil(reach_px)), appearance);
     for (int i = 0; i < kStepsPerRound; ++i) contour.step(reach_px);
-    pose = contour.camera_from_object();
+    polished.camera_from_object = contour.camera_from_object();
   }
-  return pose;
+  polished.unseen = contour.unseen();
+  return polished;
 }
 
 Refiner::Result Refiner::examine(const Pose& camera_from_object, const Appearance& appearance,

@@ -53,9 +53,9 @@ class Refiner {
                 double reach_px, const Appearance& appearance, Care care = Care::full) const;
 
   /// Goes on from a refined pose with `view`, the contour exactly as at that pose. What the edges
-  /// leave open stays as it is.
-  Pose polish(const Pose& refined_camera_from_object, const ModelView& view,
-              const Appearance& appearance) const;
+  /// leave open stays as it is; for `feigned_share` see ContourMatch::expect.
+  Result polish(const Result& refined, const ModelView& view, double feigned_share,
+                const Appearance& appearance) const;
 
   /// How well the image confirms a pose.
   Result examine(const Pose& camera_from_object, const Appearance& appearance,

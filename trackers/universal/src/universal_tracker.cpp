@@ -80,9 +80,14 @@ struct Sight {
   struct Exact {
     explicit Exact(const ScorerSetup& setup)
         : model(setup.mesh, setup.textured),
-          painter(model, setup.edges, setup.shading, setup.camera) {}
+          painter(model, setup.edges, setup.shading, setup.camera),
+          feigned_share(std::clamp(16.0 / static_cast<double>(setup.mesh->triangles().size()),
+                                   0.001, 0.005)) {}
     RasterModel model;
     ViewPainter painter;
+    /// See ContourMatch::expect. Where n triangles stand for a round surface their normals are off
+    /// by an angle that goes with 1 / sqrt(n), and what they feign with its square.
+    double feigned_share;
   };
 
   std::shared_ptr<const ViewModel> views;
@@ -211,7 +216,7 @@ class UniversalTracker final : public RigidObjectTracker {
                       (best.support - usual_support_);
     if (sight_->exact) {
       const ModelView view = sight_->exact->painter.paint_contour(best.camera_from_object);
-      best.camera_from_object = sight_->refiner.polish(best.camera_from_object, view, appearance);
+      best = sight_->refiner.polish(best, view, sight_->exact->feigned_share, appearance);
     }
     Pose found = filter_.to_center(best.camera_from_object);
     found.rotation = symmetry_.fold(found.rotation, last.rotation);
