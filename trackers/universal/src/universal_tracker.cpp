@@ -82,7 +82,7 @@ struct Sight {
         : model(setup.mesh, setup.textured),
           painter(model, setup.edges, setup.shading, setup.camera),
           feigned_share(std::clamp(16.0 / static_cast<double>(setup.mesh->triangles().size()),
-                                   0.001, 0.005)) {}
+                                   0.001, 0.003)) {}
     RasterModel model;
     ViewPainter painter;
     /// See ContourMatch::expect. Where n triangles stand for a round surface their normals are off
