@@ -5,7 +5,7 @@
 namespace anneal6d {
 namespace {
 
-constexpr std::size_t kPosesPerTask = 64;
+constexpr std::size_t kStatesPerTask = 64;
 
 }  // namespace
 
@@ -22,7 +22,7 @@ Pose PoseFilter::to_object(const Pose& camera_from_center) const {
 }
 
 void PoseFilter::predict(std::span<Pose> states, const RandomKey& key) {
-  workers_.each(states.size(), kPosesPerTask, [&](std::size_t i) {
+  workers_.each(states.size(), kStatesPerTask, [&](std::size_t i) {
     RandomKey own = key;
     own.particle = static_cast<std::uint32_t>(i);
     Twist noise;
