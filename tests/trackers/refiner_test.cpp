@@ -231,7 +231,8 @@ Polished polish_beside(const Object& object, const Pose& truth, const Pose& star
   refiner.set_image(image, whole(image));
   ViewPainter painter(object.model, {.threshold = 40}, Shading{}, camera());
   const Refiner::Result before{.camera_from_object = start, .support = 0.5};
-  return {before, refiner.polish(before, painter.paint_contour(start), kFeigned, Appearance(1))};
+  return {before,
+          refiner.polish(before, painter.paint_contour(start, 1000, 0), kFeigned, Appearance(1))};
 }
 
 TEST(PolishingAfterRefining, EndsWithinHundredthsOfAMillimetre) {
@@ -265,7 +266,7 @@ TEST(PolishingAfterRefining, ChangesNothingWithoutAnImage) {
   ViewPainter painter(box().model, {.threshold = 40}, Shading{}, camera());
   const Refiner::Result before{.camera_from_object = corner_view(), .support = 0.5};
   const Refiner::Result after = refiner.polish(
-      before, painter.paint_contour(before.camera_from_object), kFeigned, Appearance(1));
+      before, painter.paint_contour(before.camera_from_object, 1000, 0), kFeigned, Appearance(1));
   EXPECT_EQ(after.camera_from_object.translation_mm, before.camera_from_object.translation_mm);
   EXPECT_EQ(after.unseen, before.unseen);
 }

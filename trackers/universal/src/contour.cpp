@@ -268,8 +268,7 @@ void ContourExtractor::add_texture_edges(const View& view, double spacing_px,
   cv::Sobel(view.grey, gx, CV_16S, 1, 0);
   cv::Sobel(view.grey, gy, CV_16S, 0, 1);
   const auto magnitude = [&](int x, int y) {
-    return std::hypot(static_cast<double>(gx.at<short>(y, x)),
-                      static_cast<double>(gy.at<short>(y, x)));
+    return Eigen::Vector2d(gx.at<short>(y, x), gy.at<short>(y, x)).norm();
   };
   for (int y = 2; y < view.region.height - 2; ++y) {
     for (int x = 2; x < view.region.width - 2; ++x) {

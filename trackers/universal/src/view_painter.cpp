@@ -64,10 +64,8 @@ ModelView ViewPainter::paint(const Eigen::Vector3d& direction, std::uint32_t see
       Eigen::Vector3d(0, 0, ViewModel::kDistance * model_.mesh->radius_mm()) -
       camera_from_object.rotation * center_mm;
 
-  ModelView view = paint_contour(camera_from_object);
+  ModelView view = paint_contour(camera_from_object, kMostContour, seed);
   if (region_.empty()) return view;
-  shuffle(view.contour, seed);
-  if (view.contour.size() > kMostContour) view.contour.resize(kMostContour);
   sample_edges(camera_from_object, seed, view);
   return view;
 }
@@ -79,13 +77,16 @@ float ViewPainter::depth_at(const Eigen::Vector2d& image_px) const {
   return depth_mm_.at<float>(y, x);
 }
 
-ModelView ViewPainter::paint_contour(const Pose& camera_from_object) {
+ModelView ViewPainter::paint_contour(const Pose& camera_from_object, std::size_t most_samples,
+                                     std::uint32_t seed) {
   ModelView view;
   region_ = rasterizer_.draw(camera_from_object, 8);
   if (region_.empty()) return view;
   rasterizer_.take_images(grey_, depth_mm_);
   extractor_.extract({camera_from_object, camera_, region_, grey_, depth_mm_}, kSpacing_px,
                      model_.patterned, points_);
+  shuffle(points_, seed);
+  if (points_.size() > most_samples) points_.resize(most_samples);
   cv::GaussianBlur(grey_, smooth_grey_, {}, kEdgeBlur_px, kEdgeBlur_px, cv::BORDER_REPLICATE);
   for (const ContourPoint& point : points_) {
     view.contour.push_back(sample_of(point, camera_from_object));

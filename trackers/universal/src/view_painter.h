@@ -26,8 +26,10 @@ class ViewPainter {
   /// `view_camera()`; `seed` decides the order of the points.
   ModelView paint(const Eigen::Vector3d& direction, std::uint32_t seed);
 
-  /// Just the contour, all of it, of the object at a pose.
-  ModelView paint_contour(const Pose& camera_from_object);
+  /// Just the contour of the object at a pose, at most so many samples of it; `seed` decides which,
+  /// and their order.
+  ModelView paint_contour(const Pose& camera_from_object, std::size_t most_samples,
+                          std::uint32_t seed);
 
  private:
   ContourSample sample_of(const ContourPoint& point, const Pose& camera_from_object) const;
