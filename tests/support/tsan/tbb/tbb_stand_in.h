@@ -87,6 +87,16 @@ class task_arena {
   int concurrency_;
 };
 
+namespace this_task_arena {
+
+/// A thread that waits here never takes other tasks up.
+template <class Work>
+auto isolate(Work&& work) {
+  return std::forward<Work>(work)();
+}
+
+}  // namespace this_task_arena
+
 template <class Value>
 class enumerable_thread_specific {
  public:
