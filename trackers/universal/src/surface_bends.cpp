@@ -13,9 +13,9 @@ constexpr int kBeside_px = 4;       // where a bend must be over
 constexpr float kLeastTurn = 0.5F;  // rad
 constexpr float kBesideShare = 0.6F;
 constexpr float kFlat = 0.25F;  // rad, less is not told apart
-using Row = Eigen::Array<float, 1, Eigen::Dynamic>;
-
 static_assert(kFlat < kBesideShare * kLeastTurn);
+
+using Row = Eigen::Array<float, 1, Eigen::Dynamic>;
 
 }  // namespace
 

@@ -39,7 +39,7 @@ constexpr double kFirstSupport = 0.8;
 constexpr double kSupportRise = 0.1, kSupportFall = 0.3;  // the same in the usual support
 constexpr double kWindow_px = 30.0;  // around the object, and three deviations of its motion
 constexpr double kLeastReach_px = 6.0, kMostReach_px = 16.0;
-constexpr std::size_t kExactSamples = 480;
+constexpr std::size_t kExactSamples = 480;        // of the contour, for polishing
 constexpr std::size_t kLargeModel = 40'000;       // triangles, too many to be drawn in every frame
 constexpr double kRight_mm = 10, kRight_deg = 2;  // what quality is the probability of
 constexpr double kFarthest = 4;                   // of a particle, in standard deviations
