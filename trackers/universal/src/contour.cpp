@@ -5,7 +5,6 @@
 #include <Eigen/Geometry>
 #include <algorithm>
 #include <cmath>
-#include <map>
 #include <numbers>
 #include <opencv2/imgproc.hpp>
 
@@ -14,11 +13,7 @@
 namespace anneal6d {
 namespace {
 
-// Faces meeting sharper look like an edge.
-const double kCreaseCosine = std::cos(35.0 * (std::numbers::pi / 180.0));
-const double kSmoothCosine = std::cos(30.0 * (std::numbers::pi / 180.0));
 const double kBentCosine = std::cos(8.0 * (std::numbers::pi / 180.0));
-constexpr double kCreaseLength = 0.03;     // of the diameter; shorter creases are a scan's noise
 constexpr double kVisibleDepth = 0.01;     // of the diameter: tolerance of the hidden-point test
 constexpr double kSilhouetteDepth = 0.02;  // of the diameter: a silhouette has at least this behind
 constexpr double kSilhouetteProbe_px = 0.75;
@@ -54,46 +49,11 @@ bool inside_image(const Eigen::Vector2d& p, const CameraModel& camera) {
 
 }  // namespace
 
-ContourExtractor::ContourExtractor(const TriangleMesh& mesh) : diameter_mm_(mesh.diameter_mm()) {
-  struct Side {
-    std::uint32_t triangle;
-    bool forward;  // the triangle runs through the edge from the lower to the higher vertex
-  };
-  const auto welded = mesh.welded();
-  const auto position = [&](std::uint32_t i) -> Eigen::Vector3d {
-    return mesh.vertices()[i].position_mm.cast<double>();
-  };
-  std::map<std::pair<std::uint32_t, std::uint32_t>, std::vector<Side>> sides;
-  std::vector<Eigen::Vector3d> normals;
-  for (const Triangle& t : mesh.triangles()) {
-    const auto index = static_cast<std::uint32_t>(normals.size());
-    normals.push_back(
-        (position(t[1]) - position(t[0])).cross(position(t[2]) - position(t[0])).normalized());
-    for (int c = 0; c < 3; ++c) {
-      const std::uint32_t from = welded[t[c]], to = welded[t[(c + 1) % 3]];
-      sides[std::minmax(from, to)].push_back({index, from < to});
-    }
-  }
-  for (const auto& [ends, faces] : sides) {
-    MeshEdge edge;
-    edge.from_mm = position(ends.first);
-    edge.to_mm = position(ends.second);
-    edge.normal_a = edge.normal_b = normals[faces[0].triangle];
-    edge.border = faces.size() != 2;
-    if (!edge.border) {
-      edge.normal_b = normals[faces[1].triangle];
-      // Faces wound alike run through their edge in opposite directions.
-      if (faces[0].forward == faces[1].forward) edge.normal_b = -edge.normal_b;
-    }
-    const double cosine = edge.normal_a.dot(edge.normal_b);
-    const double length_mm = (edge.to_mm - edge.from_mm).norm();
-    edge.crease =
-        !edge.border && cosine < kCreaseCosine && length_mm > kCreaseLength * diameter_mm_;
-    edge.smooth = !edge.border && cosine > kSmoothCosine;
-    bent_ |= !edge.border && !edge.crease && cosine < kBentCosine;
-    // Edges inside a flat face can never be seen.
-    if (edge.border || cosine < 1.0 - 1e-9) edges_.push_back(edge);
-  }
+ContourExtractor::ContourExtractor(const TriangleMesh& mesh)
+    : edges_(mesh_edges(mesh)), diameter_mm_(mesh.diameter_mm()) {
+  bent_ = std::any_of(edges_.begin(), edges_.end(), [](const MeshEdge& edge) {
+    return !edge.border && !edge.crease && edge.normal_a.dot(edge.normal_b) < kBentCosine;
+  });
   const auto count = static_cast<Eigen::Index>(edges_.size());
   planes_a_.resize(count, 4);
   planes_b_.resize(count, 4);

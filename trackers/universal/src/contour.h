@@ -10,6 +10,7 @@
 #include "anneal6d/framework/camera_model.h"
 #include "anneal6d/framework/pose.h"
 #include "anneal6d/framework/triangle_mesh.h"
+#include "mesh_edges.h"
 #include "rasterizer.h"
 #include "surface_bends.h"
 
@@ -49,15 +50,6 @@ class ContourExtractor {
                std::vector<ContourPoint>& points);
 
  private:
-  struct MeshEdge {
-    Eigen::Vector3d from_mm, to_mm;
-    Eigen::Vector3d normal_a,
-        normal_b;  ///< of the faces, unit, on the same side; equal on a border
-    bool border;   ///< of an open surface, or where more than two faces meet
-    bool crease;   ///< a sharp and long edge, seen even where no silhouette is
-    bool smooth;   ///< the faces approximate one smooth surface
-  };
-
   void add_mesh_edge(const MeshEdge& edge, const View& view, const Eigen::Matrix3d& rotation,
                      const Eigen::Vector3d& camera_in_object_mm, double spacing_px,
                      std::vector<ContourPoint>& points);

@@ -1,0 +1,113 @@
+// SPDX-License-Identifier: BSD-3-Clause
+// Copyright (c) 2026 The Anneal6D authors
+#include "mesh_edges.h"
+
+#include <Eigen/Geometry>
+#include <cmath>
+#include <map>
+#include <numbers>
+#include <numeric>
+#include <utility>
+
+namespace anneal6d {
+namespace {
+
+const double kSharpCosine = std::cos(35.0 * (std::numbers::pi / 180.0));
+const double kSmoothCosine = std::cos(30.0 * (std::numbers::pi / 180.0));
+// Sharp edges that meet go on as one line if it turns by no more than this.
+const double kOnwardCosine = std::cos(30.0 * (std::numbers::pi / 180.0));
+constexpr double kCreaseLength = 0.05;  // of the diameter
+
+using Ends = std::pair<std::uint32_t, std::uint32_t>;  // vertices, the lower one first
+
+struct SharpEdge {
+  std::size_t index;
+  Ends ends;
+};
+
+/// For each sharp edge the length of the line that it is part of, mm.
+std::vector<double> line_lengths_mm(const std::vector<SharpEdge>& sharp,
+                                    const std::vector<MeshEdge>& edges) {
+  // A forest of edges: the ones of a line have one root.
+  std::vector<std::size_t> parent(sharp.size());
+  std::iota(parent.begin(), parent.end(), std::size_t{0});
+  const auto root = [&](std::size_t i) {
+    while (parent[i] != i) i = parent[i] = parent[parent[i]];
+    return i;
+  };
+  struct Start {
+    std::size_t edge;
+    Eigen::Vector3d along;
+  };
+  std::map<std::uint32_t, std::vector<Start>> starts;  // by vertex
+  std::vector<double> length_mm;
+  for (std::size_t i = 0; i < sharp.size(); ++i) {
+    const MeshEdge& edge = edges[sharp[i].index];
+    const Eigen::Vector3d along = edge.to_mm - edge.from_mm;
+    length_mm.push_back(along.norm());
+    starts[sharp[i].ends.first].push_back({i, along.normalized()});
+    starts[sharp[i].ends.second].push_back({i, -along.normalized()});
+  }
+  for (const auto& [vertex, here] : starts) {
+    for (const Start& a : here) {
+      for (const Start& b : here) {
+        if (a.along.dot(b.along) < -kOnwardCosine) parent[root(a.edge)] = root(b.edge);
+      }
+    }
+  }
+  std::vector<double> line_mm(sharp.size());
+  for (std::size_t i = 0; i < sharp.size(); ++i) line_mm[root(i)] += length_mm[i];
+  for (std::size_t i = 0; i < sharp.size(); ++i) length_mm[i] = line_mm[root(i)];
+  return length_mm;
+}
+
+}  // namespace
+
+std::vector<MeshEdge> mesh_edges(const TriangleMesh& mesh) {
+  struct Side {
+    std::uint32_t triangle;
+    bool forward;  // the triangle runs through the edge from the lower to the higher vertex
+  };
+  const auto welded = mesh.welded();
+  const auto position = [&](std::uint32_t i) -> Eigen::Vector3d {
+    return mesh.vertices()[i].position_mm.cast<double>();
+  };
+  std::map<Ends, std::vector<Side>> sides;
+  std::vector<Eigen::Vector3d> normals;
+  for (const Triangle& t : mesh.triangles()) {
+    const auto index = static_cast<std::uint32_t>(normals.size());
+    normals.push_back(
+        (position(t[1]) - position(t[0])).cross(position(t[2]) - position(t[0])).normalized());
+    for (int c = 0; c < 3; ++c) {
+      const std::uint32_t from = welded[t[c]], to = welded[t[(c + 1) % 3]];
+      sides[std::minmax(from, to)].push_back({index, from < to});
+    }
+  }
+  std::vector<MeshEdge> edges;
+  std::vector<SharpEdge> sharp;
+  for (const auto& [ends, faces] : sides) {
+    MeshEdge edge;
+    edge.from_mm = position(ends.first);
+    edge.to_mm = position(ends.second);
+    edge.normal_a = edge.normal_b = normals[faces[0].triangle];
+    edge.border = faces.size() != 2;
+    if (!edge.border) {
+      edge.normal_b = normals[faces[1].triangle];
+      // Faces wound alike run through their edge in opposite directions.
+      if (faces[0].forward == faces[1].forward) edge.normal_b = -edge.normal_b;
+    }
+    const double cosine = edge.normal_a.dot(edge.normal_b);
+    edge.smooth = !edge.border && cosine > kSmoothCosine;
+    // Edges inside a flat face can never be seen.
+    if (!edge.border && cosine > 1.0 - 1e-9) continue;
+    if (!edge.border && cosine < kSharpCosine) sharp.push_back({edges.size(), ends});
+    edges.push_back(edge);
+  }
+  const std::vector<double> line_mm = line_lengths_mm(sharp, edges);
+  for (std::size_t i = 0; i < sharp.size(); ++i) {
+    edges[sharp[i].index].crease = line_mm[i] > kCreaseLength * mesh.diameter_mm();
+  }
+  return edges;
+}
+
+}  // namespace anneal6d
