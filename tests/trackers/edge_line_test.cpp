@@ -131,6 +131,22 @@ TEST(EdgeLineWithColours, PrefersTheObjectsEdgeToStrongerClutter) {
   EXPECT_GT(there.agreement(), 0.5) << "the middle is the object's border";
 }
 
+TEST(EdgeLineWithColours, KnowsTheObjectsBorderFarFromTheMiddle) {
+  const cv::Vec3b red(30, 30, 150), table(90, 90, 90);
+  const cv::Mat image = stripes({{23.0, red}, {1e9, table}});
+  EdgeLine line({image, {}}, kMiddle, kRight, 16);
+  Appearance appearance(3);
+  line.compare(appearance, 32, 32);
+  const EdgeLine::Border unknown = line.border();
+  EXPECT_NEAR(unknown.offset_px, 0, 1e-3) << "nothing was learned yet";
+
+  appearance.learn(std::vector<std::uint16_t>(200, appearance.bin(red.val)),
+                   std::vector<std::uint16_t>(200, appearance.bin(table.val)));
+  line.compare(appearance, 32, 32);
+  EXPECT_NEAR(line.border().offset_px, -7.0, 0.5);
+  EXPECT_LT(line.border().variance_px2, 0.1F * unknown.variance_px2);
+}
+
 TEST(EdgeLineWithManyEdges, GivesTheBestFirst) {
   const cv::Mat image =
       stripes({{25.0, grey(60)}, {31.0, grey(160)}, {36.0, grey(60)}, {1e9, grey(160)}});

@@ -219,6 +219,27 @@ TEST(Refining, LearnsTheColoursOnBothSidesOfTheSilhouette) {
   EXPECT_GE(appearance.log_odds(appearance.bin(face)), 0);
 }
 
+/// What approaching leaves of a shift across the line of sight, with colours learned at the truth.
+double left_after_approaching_mm(double shift_mm, bool learned) {
+  const Pose truth = corner_view();
+  const cv::Mat image = test::photograph(box().model, camera(), truth, 20);
+  Refiner refiner(box().views, camera());
+  refiner.set_image(image, whole(image));
+  Appearance appearance(1);
+  if (learned) refiner.teach(truth, appearance);
+  const Pose start = beside(*box().mesh, truth, {0, 0, 0}, {shift_mm, 0, 0});
+  return center_distance_mm(*box().mesh, refiner.approach(start, appearance), truth);
+}
+
+TEST(ApproachingByColours, TakesMostOfALargeShiftAway) {
+  constexpr double kShift_mm = 6;  // 12 pixels
+  EXPECT_LT(left_after_approaching_mm(kShift_mm, true), 0.35 * kShift_mm);
+}
+
+TEST(ApproachingByColours, KeepsThePoseWithoutColours) {
+  EXPECT_NEAR(left_after_approaching_mm(6, false), 6, 1e-9);
+}
+
 constexpr double kFeigned = 0.005;
 
 /// A refinement before and after polishing.

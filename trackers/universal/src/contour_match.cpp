@@ -67,27 +67,46 @@ void ContourMatch::project(const Pose& camera_from_object, const ModelView& view
 }
 
 void ContourMatch::observe(int reach_px, const Appearance& appearance) {
+  std::array<EdgeLine::Edge, kCandidates> edges;
   for (Target& target : targets_) {
     EdgeLine line(picture_, target.image_px, target.normal, reach_px);
     if (target.silhouette) line.compare(appearance, target.inside_px, target.outside_px);
     line.require(target.polarity);
-    target.edge_count = line.find(target.edges);
-    if (target.edge_count == 0) continue;
-    for (int i = 0; i < target.edge_count; ++i) {
-      target.edges[i].offset_px -= static_cast<float>(target.shift_px);
+    target.candidate_count = line.find(edges);
+    if (target.candidate_count == 0) continue;
+    for (int i = 0; i < target.candidate_count; ++i) {
+      target.candidates[i] = {edges[i].offset_px - target.shift_px, edge_weight(edges[i].strength),
+                              edges[i].score};
     }
-    // d(image)/d(point), then d(point)/d(twist) about the object's centre.
-    const Eigen::Vector3d& p = target.camera_mm;
-    const Eigen::Vector3d arm = p - start_.translation_mm;
-    const double fx = camera_.fx_px / p.z(), fy = camera_.fy_px / p.z();
-    Twist along_x, along_y;
-    const Eigen::Vector3d x_gradient(fx, 0, -fx * p.x() / p.z());
-    const Eigen::Vector3d y_gradient(0, fy, -fy * p.y() / p.z());
-    along_x << arm.cross(x_gradient), x_gradient;
-    along_y << arm.cross(y_gradient), y_gradient;
-    target.jacobian = target.normal.x() * along_x + target.normal.y() * along_y;
-    target.sweep = along_x.cwiseAbs2() + along_y.cwiseAbs2();
+    differentiate(target);
   }
+}
+
+void ContourMatch::observe_colours(int reach_px, const Appearance& appearance) {
+  for (Target& target : targets_) {
+    target.candidate_count = 0;
+    if (!target.silhouette) continue;
+    EdgeLine line(picture_, target.image_px, target.normal, reach_px);
+    line.compare(appearance, target.inside_px, target.outside_px);
+    const EdgeLine::Border border = line.border();
+    target.candidate_count = 1;
+    target.candidates[0] = {border.offset_px, 1.0 / (1.0 + border.variance_px2), 1.0};
+    differentiate(target);
+  }
+}
+
+void ContourMatch::differentiate(Target& target) const {
+  // d(image)/d(point), then d(point)/d(twist) about the object's centre.
+  const Eigen::Vector3d& p = target.camera_mm;
+  const Eigen::Vector3d arm = p - start_.translation_mm;
+  const double fx = camera_.fx_px / p.z(), fy = camera_.fy_px / p.z();
+  Twist along_x, along_y;
+  const Eigen::Vector3d x_gradient(fx, 0, -fx * p.x() / p.z());
+  const Eigen::Vector3d y_gradient(0, fy, -fy * p.y() / p.z());
+  along_x << arm.cross(x_gradient), x_gradient;
+  along_y << arm.cross(y_gradient), y_gradient;
+  target.jacobian = target.normal.x() * along_x + target.normal.y() * along_y;
+  target.sweep = along_x.cwiseAbs2() + along_y.cwiseAbs2();
 }
 
 void ContourMatch::step(double reach_px) {
@@ -97,21 +116,22 @@ void ContourMatch::step(double reach_px) {
   Twist sweep = Twist::Constant(1e-12);
   double whole_weight = 0;
   for (const Target& target : targets_) {
-    if (target.edge_count == 0) continue;
+    if (target.candidate_count == 0) continue;
     const double moved_px = target.jacobian.dot(motion_);
-    const EdgeLine::Edge* best = nullptr;
+    const Candidate* best = nullptr;
     double best_score = 0, residual_px = 0;
-    for (int i = 0; i < target.edge_count; ++i) {
-      const double distance_px = target.edges[i].offset_px - moved_px;
-      const double score = target.edges[i].score * std::exp(-squared(distance_px / cutoff_px));
+    for (int i = 0; i < target.candidate_count; ++i) {
+      const Candidate& candidate = target.candidates[i];
+      const double distance_px = candidate.offset_px - moved_px;
+      const double score = candidate.score * std::exp(-squared(distance_px / cutoff_px));
       if (score <= best_score) continue;
       best_score = score;
-      best = &target.edges[i];
+      best = &candidate;
       residual_px = distance_px;
     }
     if (!best || std::abs(residual_px) >= cutoff_px) continue;
     const double tukey = squared(1 - squared(residual_px / cutoff_px));
-    const double weight = target.trust * tukey * edge_weight(best->strength);
+    const double weight = target.trust * tukey * best->weight;
     normal_matrix.noalias() += (weight * target.jacobian) * target.jacobian.transpose();
     right_side += (weight * residual_px) * target.jacobian;
     sweep += weight * target.sweep;

@@ -20,7 +20,14 @@ class ContourMatch {
  public:
   static constexpr std::size_t kCandidates = 3;
 
-  /// A visible contour point and the edges that the image shows around it.
+  /// Where a contour point may be.
+  struct Candidate {
+    double offset_px = 0;  ///< along the normal
+    double weight = 0;     ///< 0..1, in the least squares
+    double score = 0;      ///< beside other candidates
+  };
+
+  /// A visible contour point and where the image shows it.
   struct Target {
     Eigen::Vector3d camera_mm;
     Eigen::Vector2d image_px, normal;
@@ -28,10 +35,10 @@ class ContourMatch {
     float inside_px, outside_px;
     bool silhouette;
     int polarity;
-    std::array<EdgeLine::Edge, kCandidates> edges;
-    int edge_count = 0;
+    std::array<Candidate, kCandidates> candidates;
+    int candidate_count = 0;
     /// Of the place along the normal, and of the squared motion in the image (both directions), for
-    /// each entry of a twist about the object's centre; only where there are edges.
+    /// each entry of a twist about the object's centre; only where there are candidates.
     Twist jacobian = Twist::Zero(), sweep = Twist::Zero();
   };
 
@@ -55,7 +62,11 @@ class ContourMatch {
   /// Finds the edges up to `reach_px` from each target.
   void observe(int reach_px, const Appearance& appearance);
 
-  /// One Gauss-Newton step on what was observed; edges farther away than `reach_px` count nothing.
+  /// Finds the silhouettes by colours alone, up to `reach_px` from each target.
+  void observe_colours(int reach_px, const Appearance& appearance);
+
+  /// One Gauss-Newton step on what was observed; what is farther away than `reach_px` counts
+  /// nothing.
   void step(double reach_px);
 
   /// Where the steps since the projection led.
@@ -68,6 +79,8 @@ class ContourMatch {
 
  private:
   using Matrix6 = Eigen::Matrix<double, 6, 6>;
+
+  void differentiate(Target& target) const;
 
   SmoothPicture picture_;
   const CameraModel& camera_;

@@ -12,6 +12,7 @@ namespace {
 
 constexpr float kFaintest = 2.5F;     // grey levels a pixel: weaker slopes are no edge
 constexpr float kPixelWeight = 0.5F;  // pixels beside each other show the same
+constexpr float kNear = 0.6F;         // of the reach: what is farther away is expected less
 
 float square(float x) { return x * x; }
 
@@ -96,6 +97,10 @@ void EdgeLine::compare(const Appearance& appearance, float inside_px, float outs
   for (int i = 1; i < last_; ++i) region_[i] -= greatest;
 }
 
+float EdgeLine::likelihood(int i) const {
+  return std::exp(region_[i] - square(static_cast<float>(i - middle_) * inv_reach_ / kNear));
+}
+
 float EdgeLine::score(int i) const {
   if (slope_[i] < kFaintest || slope_[i] < slope_[i - 1] || slope_[i] <= slope_[i + 1]) return 0;
   if (polarity_ != 0) {
@@ -104,8 +109,7 @@ float EdgeLine::score(int i) const {
     if (rise * static_cast<float>(polarity_) < 0) return 0;
   }
   // Prefer strong edges, but near ones more.
-  const float distance = static_cast<float>(i - middle_) * inv_reach_ / 0.6F;
-  return edge_weight(slope_[i]) * std::exp(region_[i] - square(distance));
+  return edge_weight(slope_[i]) * likelihood(i);
 }
 
 float EdgeLine::between(int i) const {
@@ -134,6 +138,18 @@ EdgeLine::Edge EdgeLine::strongest() const {
 }
 
 float EdgeLine::agreement() const { return std::exp(region_[middle_]); }
+
+EdgeLine::Border EdgeLine::border() const {
+  float sum = 0, first = 0, second = 0;
+  for (int i = kMargin; i <= last_ - kMargin; ++i) {
+    const float here = likelihood(i), offset_px = static_cast<float>(i - middle_);
+    sum += here;
+    first += here * offset_px;
+    second += here * square(offset_px);
+  }
+  const float mean_px = first / sum;
+  return {mean_px, std::max(0.0F, second / sum - square(mean_px))};
+}
 
 bool EdgeLine::has_edge(int from_px, int to_px) const {
   const int end = std::min(middle_ + to_px, last_ - kMargin);

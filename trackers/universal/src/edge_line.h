@@ -57,6 +57,14 @@ class EdgeLine {
   /// mixture, which moves the greatest slope off a step, to its dark side. Returns their number.
   int find(std::span<Edge> edges) const;
 
+  /// Where colours alone put the object's border: mean and variance of its place.
+  struct Border {
+    float offset_px, variance_px2;
+  };
+  /// Needs no edge, which far away may be any; as of Stoiber et al., SRT3D (IJCV 2022). The middle
+  /// without colours.
+  Border border() const;
+
   /// Whether there is an edge from one place to another, in pixels from the middle.
   bool has_edge(int from_px, int to_px) const;
 
@@ -67,6 +75,9 @@ class EdgeLine {
   static constexpr int kMargin = 3;
   static constexpr int kLongest = 2 * (kMaxReach_px + kMargin) + 1;
 
+  /// How likely the object ends at step i by its colours and the distance from the middle; 1 at
+  /// most.
+  float likelihood(int i) const;
   /// Score of a slope at step i; 0 if it is no edge.
   float score(int i) const;
   /// Place of the greatest slope around step i, between steps, from the middle.

@@ -18,6 +18,9 @@ constexpr int kCoarseRounds = 2;  // with few points; quick refinements have no 
 constexpr int kRounds = 3;
 constexpr int kStepsPerRound = 3;
 constexpr double kFinestReach_px = 2.5;
+constexpr std::array kApproachReaches_px = {16.0, 10.0};
+constexpr int kApproachSteps = 2;
+constexpr std::ptrdiff_t kFewestSilhouettes = 20;
 // Polishing ends so narrow that edges which are off, as silhouettes are by shading, lose their say.
 constexpr std::array kPolishingReaches_px = {1.5, 0.75, 0.375};
 // See ContourMatch::expect; contours of views are those of poses a few degrees away.
@@ -77,6 +80,23 @@ Refiner::Result Refiner::refine(const Pose& start_camera_from_object,
   result.weak_motions = contour.weak_motions();
   result.unseen = contour.unseen();
   return result;
+}
+
+Pose Refiner::approach(const Pose& start_camera_from_object, const Appearance& appearance) const {
+  Pose pose = start_camera_from_object;
+  if (smooth_.empty() || !appearance.learned()) return pose;
+  ContourMatch contour = match();
+  contour.expect(to_center(start_camera_from_object), kFeigned);
+  for (const double reach_px : kApproachReaches_px) {
+    contour.project(pose, views_.seen_from(pose), kFewPoints);
+    const auto silhouettes = std::count_if(contour.targets().begin(), contour.targets().end(),
+                                           [](const auto& target) { return target.silhouette; });
+    if (silhouettes < kFewestSilhouettes) break;
+    contour.observe_colours(static_cast<int>(reach_px), appearance);
+    for (int i = 0; i < kApproachSteps; ++i) contour.step(reach_px);
+    pose = contour.camera_from_object();
+  }
+  return pose;
 }
 
 Refiner::Result Refiner::polish(const Result& refined, const ModelView& view, double feigned_share,

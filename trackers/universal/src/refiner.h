@@ -52,6 +52,11 @@ class Refiner {
   Result refine(const Pose& start_camera_from_object, const Pose& expected_camera_from_object,
                 double reach_px, const Appearance& appearance, Care care = Care::full) const;
 
+  /// Comes nearer to where colours that were learned put the object's outline: from farther than
+  /// refine(), which edges of the background lead astray there, but not as close. The same pose if
+  /// no colours were learned or too little outline is in sight.
+  Pose approach(const Pose& start_camera_from_object, const Appearance& appearance) const;
+
   /// Goes on from a refined pose with `view`, the contour exactly as at that pose. What the edges
   /// leave open stays as it is; for `feigned_share` see ContourMatch::expect.
   Result polish(const Result& refined, const ModelView& view, double feigned_share,

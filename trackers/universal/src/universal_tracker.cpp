@@ -26,8 +26,10 @@ namespace anneal6d {
 namespace {
 
 constexpr double kDegree = std::numbers::pi / 180.0;
-constexpr double kSure = 0.92;     // of the usual support: there is no need to search
-constexpr double kPoor = 0.85;     // of the usual fit: less is searched once
+constexpr double kSure = 0.92;  // of the usual support: there is no need to search
+constexpr double kPoor = 0.85;  // of the usual fit: less is searched once
+// What a second attempt found, by colours, must be confirmed better.
+constexpr double kSecondAttempt = 1.06;
 constexpr double kFitting = 0.94;  // of the usual fit: there is no need to look at all neighbours
 constexpr double kFitRise = 0.3, kFitFall = 0.03;  // of the newest frame in the usual fit
 constexpr double kNeighbour_px = 4.0, kNeighbourShift_px = 3.0;
@@ -202,15 +204,21 @@ class UniversalTracker final : public RigidObjectTracker {
     result.best_camera_from_object = filter_.to_object(filter_.best());
   }
 
-  /// First the motion model's guess is refined; particles and neighbouring poses may find a better
-  /// one.
+  /// First the motion model's guess is refined; colours, particles and neighbouring poses may find
+  /// a better one.
   void estimate_by_default(TrackResult& result) {
     const Pose last = center_;
     const Appearance& appearance = *sight_->appearance;
     const Pose guess = filter_.to_object(expected_.camera_from_center);
     const double reach_px = std::clamp(deviation_px(), kLeastReach_px, kMostReach_px);
     Refiner::Result best = sight_->refiner.refine(guess, guess, reach_px, appearance);
-    best = search_around(best, appearance);
+    if (!confirmed_as_usual(best)) {
+      // Too far off for edges; colours lead nearer.
+      const Pose nearer = sight_->refiner.approach(guess, appearance);
+      const auto other = sight_->refiner.refine(nearer, guess, reach_px, appearance);
+      if (likelihood(other) > likelihood(best)) best = other;
+      if (!confirmed_as_usual(best, kSecondAttempt)) best = search_around(best, appearance);
+    }
     best = best_of_neighbours(best, appearance);
     usual_fit_ += (best.fit > usual_fit_ ? kFitRise : kFitFall) * (best.fit - usual_fit_);
     usual_support_ += (best.support > usual_support_ ? kSupportRise : kSupportFall) *
@@ -240,20 +248,23 @@ class UniversalTracker final : public RigidObjectTracker {
     if (confirmed) sight_->refiner.teach(result.camera_from_object, *sight_->appearance);
   }
 
-  /// Where the image does not confirm a refined pose as well as usual, particles search, wider and
-  /// wider. Where even they find nothing better, less is usual from now on: something hides the
-  /// object.
+  bool supported_as_usual(const Refiner::Result& result, double demand = 1) const {
+    return result.support >= demand * kSure * usual_support_;
+  }
+
+  bool confirmed_as_usual(const Refiner::Result& result, double demand = 1) const {
+    return supported_as_usual(result, demand) && result.fit >= demand * kPoor * usual_fit_;
+  }
+
+  /// Particles search, wider and wider, for a pose that the image confirms better than the refined
+  /// one. Where even they find none, less is usual from now on: something hides the object.
   Refiner::Result search_around(const Refiner::Result& refined, const Appearance& appearance) {
-    const auto confirmed_as_usual = [&](const Refiner::Result& result) {
-      return result.support >= kSure * usual_support_;
-    };
-    if (confirmed_as_usual(refined) && refined.fit >= kPoor * usual_fit_) return refined;
     detect_edges_around(expected_.camera_from_center, mesh().radius_mm() + 3 * expected_.sigma[5]);
     sight_->region.set_image(sight_->refiner.picture(), appearance);
     Refiner::Result best = refined;
     Expectation wider = expected_;
     for (std::uint32_t pass = 0; pass < kPasses; ++pass) {
-      if (pass > 0 && confirmed_as_usual(best)) break;
+      if (pass > 0 && supported_as_usual(best)) break;
       const double weight = appearance.learned() ? kRegionWeight : 0.0;
       RandomKey random = key(0);
       random.frame = frame_number_ * kPasses + pass;
@@ -264,6 +275,7 @@ class UniversalTracker final : public RigidObjectTracker {
     }
     if (likelihood(best) < likelihood(refined) + kGain) {
       usual_support_ = std::min(usual_support_, best.support);
+      usual_fit_ = std::min(usual_fit_, best.fit);
     }
     return best;
   }
