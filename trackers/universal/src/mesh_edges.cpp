@@ -16,7 +16,9 @@ const double kSharpCosine = std::cos(35.0 * (std::numbers::pi / 180.0));
 const double kSmoothCosine = std::cos(30.0 * (std::numbers::pi / 180.0));
 // Sharp edges that meet go on as one line if it turns by no more than this.
 const double kOnwardCosine = std::cos(30.0 * (std::numbers::pi / 180.0));
-constexpr double kCreaseLength = 0.05;  // of the diameter
+// Of the diameter: a scan's noise makes neither edges nor lines of them as long as these.
+constexpr double kCreaseLength = 0.03;
+constexpr double kCreaseLineLength = 0.05;
 
 using Ends = std::pair<std::uint32_t, std::uint32_t>;  // vertices, the lower one first
 
@@ -105,7 +107,9 @@ std::vector<MeshEdge> mesh_edges(const TriangleMesh& mesh) {
   }
   const std::vector<double> line_mm = line_lengths_mm(sharp, edges);
   for (std::size_t i = 0; i < sharp.size(); ++i) {
-    edges[sharp[i].index].crease = line_mm[i] > kCreaseLength * mesh.diameter_mm();
+    MeshEdge& edge = edges[sharp[i].index];
+    edge.crease = (edge.to_mm - edge.from_mm).norm() > kCreaseLength * mesh.diameter_mm() ||
+                  line_mm[i] > kCreaseLineLength * mesh.diameter_mm();
   }
   return edges;
 }

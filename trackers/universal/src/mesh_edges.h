@@ -15,13 +15,13 @@ struct MeshEdge {
   /// Of the faces, unit, on the same side; equal on a border.
   Eigen::Vector3d normal_a, normal_b;
   bool border = false;  ///< of an open surface, or where more than two faces meet
-  bool crease = false;  ///< part of a long sharp line, seen even where no silhouette is
+  bool crease = false;  ///< sharp and long, or part of such a line: seen also inside the outline
   bool smooth = false;  ///< the faces approximate one smooth surface
 };
 
-/// The edges of a mesh but those inside flat faces. Where faces meet sharply there is a crease, if
-/// enough of such edges follow each other, as around the rim of a cup of many triangles; short
-/// ones are a scan's noise.
+/// The edges of a mesh but those inside flat faces. An edge where faces meet sharply is a crease if
+/// it is long, or if enough of such edges follow each other, as around the rim of a cup of many
+/// triangles; others are a scan's noise.
 std::vector<MeshEdge> mesh_edges(const TriangleMesh& mesh);
 
 }  // namespace anneal6d
