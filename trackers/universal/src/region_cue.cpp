@@ -12,7 +12,7 @@ namespace {
 
 constexpr std::size_t kPoints = 80;  // of each view's silhouette
 constexpr std::size_t kEntries = 8;  // of a point: place, normal, inside, outside
-constexpr std::size_t kPosesPerTask = 32;
+constexpr std::size_t kPosesPerColourTask = 32;
 constexpr float kClear = 6.0F * Appearance::kScale;
 static_assert(kPoints % ColourJob::kPadding == 0);
 
@@ -93,7 +93,7 @@ double RegionCue::score_one(const Pose& camera_from_object) const {
 }
 
 void RegionCue::score(std::span<const Pose> camera_from_object, std::span<double> scores) const {
-  workers_.each(scores.size(), kPosesPerTask,
+  workers_.each(scores.size(), kPosesPerColourTask,
                 [&](std::size_t i) { scores[i] = score_one(camera_from_object[i]); });
 }
 
