@@ -39,9 +39,10 @@ TEST(CreasesOfACylinderOfManyFacets, AreItsTwoRimsThoughEachOfTheirEdgesIsShort)
   EXPECT_EQ(on_rims, 2 * kFacets);
 }
 
-/// A plate of 100 mm whose point in the middle sticks out of it.
+constexpr std::uint32_t kCells = 60;
+
+/// A plate of 100 mm, 141 mm across, whose point in the middle sticks out of it.
 SharedMesh plate_with_a_spike(double height_mm) {
-  constexpr std::uint32_t kCells = 40;
   return test::make_grid(kCells, 100, kCells, 0, 100, [&](double x_mm, double y_mm) {
     const bool middle = std::abs(x_mm - 50) < 0.1 && std::abs(y_mm - 50) < 0.1;
     return test::vertex_at(static_cast<float>(x_mm), static_cast<float>(y_mm),
@@ -50,7 +51,7 @@ SharedMesh plate_with_a_spike(double height_mm) {
 }
 
 TEST(CreasesOfAScan, AreNotItsNoise) {
-  const SharedMesh mesh = plate_with_a_spike(4);
+  const SharedMesh mesh = plate_with_a_spike(2.5);
   const std::vector<MeshEdge> edges = mesh_edges(*mesh);
   EXPECT_GT(std::count_if(
                 edges.begin(), edges.end(),
@@ -60,9 +61,11 @@ TEST(CreasesOfAScan, AreNotItsNoise) {
   EXPECT_EQ(creases_of(mesh), 0);
 }
 
+TEST(CreasesOfAScan, AreSharpEdgesThatAreLong) { EXPECT_GT(creases_of(plate_with_a_spike(5)), 3); }
+
 TEST(EdgesOfAnOpenPlate, AreItsBorder) {
   const std::vector<MeshEdge> edges = mesh_edges(*plate_with_a_spike(0));
-  EXPECT_EQ(edges.size(), 4U * 40U);
+  EXPECT_EQ(edges.size(), 4U * kCells);
   for (const MeshEdge& edge : edges) EXPECT_TRUE(edge.border && !edge.crease && !edge.smooth);
 }
 
