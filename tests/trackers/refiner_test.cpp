@@ -232,8 +232,8 @@ double left_after_approaching_mm(double shift_mm, bool learned) {
 }
 
 TEST(ApproachingByColours, TakesMostOfALargeShiftAway) {
-  constexpr double kShift_mm = 6;  // 12 pixels
-  EXPECT_LT(left_after_approaching_mm(kShift_mm, true), 0.35 * kShift_mm);
+  constexpr double kFar_mm = 6;  // 12 pixels
+  EXPECT_LT(left_after_approaching_mm(kFar_mm, true), 0.35 * kFar_mm);
 }
 
 TEST(ApproachingByColours, KeepsThePoseWithoutColours) {

@@ -36,10 +36,10 @@ RoundView view_of(const SharedMesh& mesh, const Pose& pose) {
   return view;
 }
 
-constexpr double kLength_mm = 120, kRadius_mm = 9;
+constexpr double kStickLength_mm = 120, kStickRadius_mm = 9;
 
 const SharedMesh& stick() {
-  static const SharedMesh mesh = test::make_cylinder(kLength_mm, kRadius_mm, 64);
+  static const SharedMesh mesh = test::make_cylinder(kStickLength_mm, kStickRadius_mm, 64);
   return mesh;
 }
 
@@ -52,16 +52,16 @@ struct Segment {
 std::array<Segment, 2> silhouettes(const Pose& pose) {
   const Eigen::Vector2d camera_mm = pose.inverse().translation_mm.head<2>();
   const double middle_rad = std::atan2(camera_mm.y(), camera_mm.x());
-  const double half_rad = std::acos(kRadius_mm / camera_mm.norm());
+  const double half_rad = std::acos(kStickRadius_mm / camera_mm.norm());
   const CameraModel camera = test::small_camera();
   std::array<Segment, 2> lines;
   for (int i = 0; i < 2; ++i) {
     const double angle = middle_rad + (i ? half_rad : -half_rad);
     const auto at = [&](double z_mm) {
-      return camera.project(
-          pose * Eigen::Vector3d(kRadius_mm * std::cos(angle), kRadius_mm * std::sin(angle), z_mm));
+      return camera.project(pose * Eigen::Vector3d(kStickRadius_mm * std::cos(angle),
+                                                   kStickRadius_mm * std::sin(angle), z_mm));
     };
-    lines[i] = {at(-kLength_mm / 2), at(kLength_mm / 2)};
+    lines[i] = {at(-kStickLength_mm / 2), at(kStickLength_mm / 2)};
   }
   return lines;
 }
@@ -107,8 +107,8 @@ TEST_P(ContourOfALongThinCylinder, LiesOnItsSilhouettesAndRims) {
   const CameraModel camera = test::small_camera();
   const auto lines = silhouettes(pose);
   for (const ContourPoint& point : view_of(stick(), pose).contour) {
-    const double to_rim_mm = std::hypot(std::abs(point.object_mm.z()) - kLength_mm / 2,
-                                        point.object_mm.head<2>().norm() - kRadius_mm);
+    const double to_rim_mm = std::hypot(std::abs(point.object_mm.z()) - kStickLength_mm / 2,
+                                        point.object_mm.head<2>().norm() - kStickRadius_mm);
     if (point.bend) {
       // Its edges are too short for creases: the rim that is turned to the camera is a bend.
       EXPECT_LT(to_rim_mm, 1) << point.object_mm.transpose();
