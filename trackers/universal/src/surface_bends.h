@@ -28,17 +28,12 @@ class SurfaceBends {
                                 const CameraModel& camera, double jump_mm);
 
  private:
-  using Plane = Eigen::Array<float, Eigen::Dynamic, Eigen::Dynamic, Eigen::RowMajor>;
-
-  void find_normals(const cv::Mat& depth_mm, const cv::Point& origin, const CameraModel& camera,
-                    double jump_mm);
-  void find_turns();
   Eigen::Vector3f normal_at(int x, int y) const;
 
-  std::array<Plane, 3> normals_;  ///< x, y, z in the camera frame; zero where there is none
-  /// How far the normal turns between two pixels before and behind one, about the angle, rad; 0
-  /// where there is no surface all around.
-  Plane turns_;
+  int columns_ = 0;
+  // See BendJob.
+  std::array<std::vector<float>, 3> normals_;
+  std::vector<float> turns_;
   std::vector<Bend> bends_;
 };
 
