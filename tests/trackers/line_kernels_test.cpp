@@ -6,6 +6,7 @@
 
 #include <algorithm>
 #include <array>
+#include <cmath>
 #include <opencv2/core.hpp>
 #include <vector>
 
@@ -35,7 +36,7 @@ cv::Mat tight_picture(std::vector<std::uint8_t>& bytes, int channels) {
 
 class SampledLine : public testing::TestWithParam<int> {};
 
-TEST_P(SampledLine, InterpolatesBetweenPixelsAndStaysInThePicture) {
+TEST_P(SampledLine, InterpolatesBetweenPixelsStaysInThePictureAndHasItsSlopes) {
   std::vector<std::uint8_t> bytes;
   const cv::Mat picture = tight_picture(bytes, GetParam());
   constexpr int kCount = 37;
@@ -45,6 +46,7 @@ TEST_P(SampledLine, InterpolatesBetweenPixelsAndStaysInThePicture) {
                                              {11.0F, -20.0F, 0.0F, 1.0F},
                                              {22.0F, 16.0F, 0.6F, 0.8F}}) {
     std::array<std::array<float, kCount + LineJob::kPadding>, 3> grey;
+    std::array<float, kCount + LineJob::kPadding> slope;
     sample_line({.data = picture.data,
                  .stride = static_cast<std::ptrdiff_t>(picture.step[0]),
                  .columns = picture.cols,
@@ -55,7 +57,8 @@ TEST_P(SampledLine, InterpolatesBetweenPixelsAndStaysInThePicture) {
                  .step_x = step_x,
                  .step_y = step_y,
                  .count = kCount,
-                 .grey = {grey[0].data(), grey[1].data(), grey[2].data()}});
+                 .grey = {grey[0].data(), grey[1].data(), grey[2].data()},
+                 .slope = slope.data()});
     for (int channel = 0; channel < picture.channels(); ++channel) {
       for (std::size_t i = 0; i < kCount; ++i) {
         const double along = static_cast<double>(i);
@@ -64,6 +67,14 @@ TEST_P(SampledLine, InterpolatesBetweenPixelsAndStaysInThePicture) {
         EXPECT_NEAR(grey[static_cast<std::size_t>(channel)][i], expected, 0.02)
             << "sample " << i << " from " << x << ", " << y << ", channel " << channel;
       }
+    }
+    for (std::size_t i = 1; i < kCount - 1; ++i) {
+      double sum = 0;
+      for (int channel = 0; channel < picture.channels(); ++channel) {
+        const auto& values = grey[static_cast<std::size_t>(channel)];
+        sum += std::pow(0.5 * (values[i + 1] - values[i - 1]), 2);
+      }
+      EXPECT_NEAR(slope[i], std::sqrt(sum), 1e-3) << "sample " << i << " from " << x << ", " << y;
     }
   }
 }

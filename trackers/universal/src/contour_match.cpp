@@ -118,18 +118,21 @@ void ContourMatch::step(double reach_px) {
   for (const Target& target : targets_) {
     if (target.candidate_count == 0) continue;
     const double moved_px = target.jacobian.dot(motion_);
-    const Candidate* best = nullptr;
-    double best_score = 0, residual_px = 0;
-    for (int i = 0; i < target.candidate_count; ++i) {
-      const Candidate& candidate = target.candidates[i];
-      const double distance_px = candidate.offset_px - moved_px;
-      const double score = candidate.score * std::exp(-squared(distance_px / cutoff_px));
-      if (score <= best_score) continue;
-      best_score = score;
-      best = &candidate;
-      residual_px = distance_px;
+    const Candidate* best = &target.candidates[0];
+    double residual_px = best->offset_px - moved_px;
+    if (target.candidate_count > 1) {
+      double best_score = -1;
+      for (int i = 0; i < target.candidate_count; ++i) {
+        const Candidate& candidate = target.candidates[i];
+        const double distance_px = candidate.offset_px - moved_px;
+        const double score = candidate.score * std::exp(-squared(distance_px / cutoff_px));
+        if (score <= best_score) continue;
+        best_score = score;
+        best = &candidate;
+        residual_px = distance_px;
+      }
     }
-    if (!best || std::abs(residual_px) >= cutoff_px) continue;
+    if (std::abs(residual_px) >= cutoff_px) continue;
     const double tukey = squared(1 - squared(residual_px / cutoff_px));
     const double weight = target.trust * tukey * best->weight;
     normal_matrix.noalias() += (weight * target.jacobian) * target.jacobian.transpose();

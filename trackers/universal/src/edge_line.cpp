@@ -66,13 +66,9 @@ EdgeLine::EdgeLine(const SmoothPicture& picture, const Eigen::Vector2d& middle_p
                .step_x = static_cast<float>(normal.x()),
                .step_y = static_cast<float>(normal.y()),
                .count = last_ + 1,
-               .grey = {grey_[0].data(), grey_[1].data(), grey_[2].data()}});
-  for (int i = 1; i < last_; ++i) {
-    float sum = 0;
-    for (int c = 0; c < channels_; ++c) sum += square(0.5F * (grey_[c][i + 1] - grey_[c][i - 1]));
-    slope_[i] = std::sqrt(sum);
-    region_[i] = 0.0F;
-  }
+               .grey = {grey_[0].data(), grey_[1].data(), grey_[2].data()},
+               .slope = slope_.data()});
+  std::fill_n(region_.begin(), last_, 0.0F);
 }
 
 void EdgeLine::compare(const Appearance& appearance, float inside_px, float outside_px) {

@@ -88,7 +88,7 @@ class EdgeLine {
   int polarity_ = 0;
   float inv_reach_;
   std::array<std::array<float, kLongest + LineJob::kPadding>, 3> grey_;
-  std::array<float, kLongest> slope_;
+  std::array<float, kLongest + LineJob::kPadding> slope_;
   std::array<float, kLongest> region_;  ///< log likelihood at each step, 0 at the greatest
 };
 

@@ -64,6 +64,15 @@ void SampleLine(const LineJob& job) {
       store(2, Byte<2>(above), Byte<3>(above_end), Byte<2>(below), Byte<3>(below_end));
     }
   }
+  for (int i = 1; i < job.count - 1; i += static_cast<int>(hn::Lanes(f))) {
+    VF sum = hn::Zero(f);
+    for (int channel = 0; channel < job.channels; ++channel) {
+      const float* const here = job.grey[channel] + i;
+      const VF rise = hn::Sub(hn::LoadU(f, here + 1), hn::LoadU(f, here - 1));
+      sum = hn::MulAdd(rise, rise, sum);
+    }
+    hn::StoreU(hn::Mul(hn::Set(f, 0.5F), hn::Sqrt(sum)), f, job.slope + i);
+  }
 }
 
 }  // namespace HWY_NAMESPACE

@@ -18,6 +18,9 @@ struct LineJob {
   float step_x, step_y;  ///< from sample to sample
   int count;             ///< samples
   float* grey[3];        ///< out: values of each channel, room for whole vectors
+  /// Out: how steep they are at each sample but the first and the last, values a sample, norm over
+  /// the channels; room for whole vectors.
+  float* slope;
 };
 
 /// Samples the picture along the line, interpolating between pixels; outside, as at its border.
