@@ -25,9 +25,10 @@ std::vector<ContourPoint> contour_of(const SharedMesh& mesh, const Pose& pose,
   const Region region = rasterizer.draw(pose, 4);
   cv::Mat grey, depth_mm;
   rasterizer.take_images(grey, depth_mm);
+  Workers alone(1);
   std::vector<ContourPoint> points;
   ContourExtractor(*mesh).extract({pose, camera, region, grey, depth_mm}, kSpacing_px,
-                                  texture_edges, points);
+                                  texture_edges, alone, points);
   return points;
 }
 
@@ -216,10 +217,11 @@ TEST(ExtractingAContour, ReplacesThePointsBefore) {
   cv::Mat grey, depth_mm;
   rasterizer.take_images(grey, depth_mm);
   ContourExtractor extractor(*cube());
+  Workers alone(1);
   std::vector<ContourPoint> points(5);
-  extractor.extract({pose, camera, region, grey, depth_mm}, kSpacing_px, false, points);
+  extractor.extract({pose, camera, region, grey, depth_mm}, kSpacing_px, false, alone, points);
   const std::size_t once = points.size();
-  extractor.extract({pose, camera, region, grey, depth_mm}, kSpacing_px, false, points);
+  extractor.extract({pose, camera, region, grey, depth_mm}, kSpacing_px, false, alone, points);
   EXPECT_EQ(points.size(), once);
 }
 

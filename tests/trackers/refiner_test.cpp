@@ -251,9 +251,10 @@ Polished polish_beside(const Object& object, const Pose& truth, const Pose& star
   Refiner refiner(object.views, camera());
   refiner.set_image(image, whole(image));
   ViewPainter painter(object.model, {.threshold = 40}, Shading{}, camera());
+  Workers alone(1);
   const Refiner::Result before{.camera_from_object = start, .support = 0.5};
-  return {before,
-          refiner.polish(before, painter.paint_contour(start, 1000, 0), kFeigned, Appearance(1))};
+  return {before, refiner.polish(before, painter.paint_contour(start, 1000, 0, alone), kFeigned,
+                                 Appearance(1))};
 }
 
 TEST(PolishingAfterRefining, EndsWithinHundredthsOfAMillimetre) {
@@ -285,9 +286,11 @@ TEST(PolishingAfterRefining, ReportsWhichMotionsTheExactContourShows) {
 TEST(PolishingAfterRefining, ChangesNothingWithoutAnImage) {
   const Refiner refiner(box().views, camera());
   ViewPainter painter(box().model, {.threshold = 40}, Shading{}, camera());
+  Workers alone(1);
   const Refiner::Result before{.camera_from_object = corner_view(), .support = 0.5};
-  const Refiner::Result after = refiner.polish(
-      before, painter.paint_contour(before.camera_from_object, 1000, 0), kFeigned, Appearance(1));
+  const Refiner::Result after =
+      refiner.polish(before, painter.paint_contour(before.camera_from_object, 1000, 0, alone),
+                     kFeigned, Appearance(1));
   EXPECT_EQ(after.camera_from_object.translation_mm, before.camera_from_object.translation_mm);
   EXPECT_EQ(after.unseen, before.unseen);
 }

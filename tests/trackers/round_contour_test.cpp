@@ -28,8 +28,9 @@ RoundView view_of(const SharedMesh& mesh, const Pose& pose) {
   const Region region = rasterizer.draw(pose, 8);
   cv::Mat grey, depth_mm;
   rasterizer.take_images(grey, depth_mm);
+  Workers alone(1);
   RoundView view;
-  ContourExtractor(*mesh).extract({pose, camera, region, grey, depth_mm}, kApart_px, false,
+  ContourExtractor(*mesh).extract({pose, camera, region, grey, depth_mm}, kApart_px, false, alone,
                                   view.contour);
   view.bends =
       SurfaceBends().find(depth_mm, {region.x, region.y}, camera, 0.02 * mesh->diameter_mm());

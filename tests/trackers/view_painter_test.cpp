@@ -43,8 +43,10 @@ SharedMesh two_halves(const Eigen::Vector3f& left_bgr, const Eigen::Vector3f& ri
 std::vector<ContourSample> inside_faces(const SharedMesh& mesh) {
   const RasterModel model(mesh, false);
   ViewPainter painter(model, {.threshold = 40}, Shading{}, test::small_camera());
+  Workers alone(1);
   std::vector<ContourSample> inside;
-  for (const ContourSample& sample : painter.paint_contour(test::corner_view(), 1000, 0).contour) {
+  for (const ContourSample& sample :
+       painter.paint_contour(test::corner_view(), 1000, 0, alone).contour) {
     const Eigen::Array3f to_faces_mm =
         Eigen::Array3f(kLength_mm, kWidth_mm, kHeight_mm) / 2 - sample.object_mm.array().abs();
     if ((to_faces_mm > 5).count() >= 2) inside.push_back(sample);

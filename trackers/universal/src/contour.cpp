@@ -9,7 +9,6 @@
 #include <opencv2/imgproc.hpp>
 
 #include "anneal6d/framework/shading.h"
-
 namespace anneal6d {
 namespace {
 
@@ -29,6 +28,16 @@ float depth_at(const ContourExtractor::View& view, int x, int y) {
   y -= view.region.y;
   if (x < 0 || y < 0 || x >= view.region.width || y >= view.region.height) return 0.0F;
   return view.depth_mm.at<float>(y, x);
+}
+
+/// The farthest of a pixel of the region, not on its border, and its eight neighbours.
+float farthest_around(const cv::Mat& depth_mm, int x, int y) {
+  float farthest_mm = 0.0F;
+  for (int row = y - 1; row <= y + 1; ++row) {
+    const auto* const here = depth_mm.ptr<float>(row) + x;
+    farthest_mm = std::max({farthest_mm, here[-1], here[0], here[1]});
+  }
+  return farthest_mm;
 }
 
 /// Whether the surface around a pixel ends or bends by more than `tolerance_mm`.
@@ -55,10 +64,11 @@ ContourExtractor::ContourExtractor(const TriangleMesh& mesh)
     return !edge.border && !edge.crease && edge.normal_a.dot(edge.normal_b) < kBentCosine;
   });
   const auto count = static_cast<Eigen::Index>(edges_.size());
-  planes_a_.resize(count, 4);
-  planes_b_.resize(count, 4);
+  planes_a_.setZero(count, 4);
+  planes_b_.setZero(count, 4);
   for (Eigen::Index i = 0; i < count; ++i) {
     const MeshEdge& edge = edges_[static_cast<std::size_t>(i)];
+    if (edge.border || edge.crease) continue;
     const auto plane = [&](const Eigen::Vector3d& normal) -> Eigen::RowVector4f {
       return Eigen::RowVector4d(normal.x(), normal.y(), normal.z(), -normal.dot(edge.from_mm))
           .cast<float>();
@@ -81,31 +91,54 @@ bool ContourExtractor::claim_cell(const Eigen::Vector2d& image_px, const Region&
 }
 
 void ContourExtractor::extract(const View& view, double spacing_px, bool texture_edges,
-                               std::vector<ContourPoint>& points) {
+                               Workers& workers, std::vector<ContourPoint>& points) {
   points.clear();
   const auto columns = static_cast<std::size_t>(view.region.width / spacing_px) + 1;
   const auto rows = static_cast<std::size_t>(view.region.height / spacing_px) + 1;
   cells_.assign(columns * rows, 0);
+  object_from_camera_ = view.camera_from_object.inverse();
+  const std::vector<SurfaceBends::Bend>* bends = nullptr;
+  workers.each(3, 1, [&](std::size_t part) {
+    if (part == 0) {
+      add_mesh_edges(view, spacing_px, points);
+    } else if (part == 1 && bent_) {
+      bends = &bends_.find(view.depth_mm, {view.region.x, view.region.y}, view.camera,
+                           kSilhouetteDepth * diameter_mm_);
+    } else if (part == 2 && texture_edges) {
+      cv::Sobel(view.grey, along_x_, CV_16S, 1, 0);
+      cv::Sobel(view.grey, along_y_, CV_16S, 0, 1);
+    }
+  });
+  // Where edges are of several kinds, the first to come counts.
+  if (texture_edges) add_texture_edges(view, spacing_px, points);
+  if (bends) add_bends(view, *bends, spacing_px, points);
+}
+
+void ContourExtractor::add_mesh_edges(const View& view, double spacing_px,
+                                      std::vector<ContourPoint>& points) {
   drawn_.create(view.region.height, view.region.width, CV_8UC1);
   drawn_.setTo(0);
   const Eigen::Matrix3d rotation = view.camera_from_object.rotation.toRotationMatrix();
-  const Eigen::Vector3d camera_in_object_mm = view.camera_from_object.inverse().translation_mm;
+  const Eigen::Vector3d& camera_in_object_mm = object_from_camera_.translation_mm;
   const Eigen::Vector4f camera = camera_in_object_mm.homogeneous().cast<float>();
   height_a_.noalias() = planes_a_ * camera;
   height_b_.noalias() = planes_b_ * camera;
+  // Most edges lie between faces that are both in front of the camera, or both turned away. Bits
+  // instead of branches, which would be mispredicted.
+  candidates_.resize(edges_.size());
+  std::size_t count = 0;
   for (std::size_t i = 0; i < edges_.size(); ++i) {
-    // Most edges lie between faces that are both in front of the camera, or both turned away.
     const auto index = static_cast<Eigen::Index>(i);
     const float a = height_a_[index], b = height_b_[index];
-    const bool turned_alike = (a > kClearHeight_mm && b > kClearHeight_mm) ||
-                              (a < -kClearHeight_mm && b < -kClearHeight_mm);
-    const MeshEdge& edge = edges_[i];
-    if (turned_alike && !edge.crease && !edge.border) continue;
-    add_mesh_edge(edge, view, rotation, camera_in_object_mm, spacing_px, points);
+    const bool both_in_front = (a > kClearHeight_mm) & (b > kClearHeight_mm);
+    const bool both_turned_away = (a < -kClearHeight_mm) & (b < -kClearHeight_mm);
+    candidates_[count] = static_cast<std::uint32_t>(i);
+    count += !(both_in_front | both_turned_away);
+  }
+  for (std::size_t i = 0; i < count; ++i) {
+    add_mesh_edge(edges_[candidates_[i]], view, rotation, camera_in_object_mm, spacing_px, points);
   }
   for (ContourPoint& point : points) point.crowded = is_crowded(point, view);
-  if (texture_edges) add_texture_edges(view, spacing_px, points);
-  if (bent_) add_bends(view, spacing_px, points);
 }
 
 bool ContourExtractor::is_crowded(const ContourPoint& point, const View& view) const {
@@ -151,6 +184,11 @@ void ContourExtractor::add_mesh_edge(const MeshEdge& edge, const View& view,
   normal.normalize();
 
   const bool round = silhouette && !edge.crease && !edge.border;
+  // Beside the contour of a round surface the surface falls towards the camera: a sphere of radius
+  // r by sqrt(2 r d) at a distance d.
+  const double mm_per_px = std::max(from.z(), to.z()) / view.camera.fx_px;
+  const double fall_mm = round ? std::sqrt(diameter_mm_ * kSilhouetteProbe_px * mm_per_px) : 0.0;
+  const double in_front_mm = std::max(kVisibleDepth * diameter_mm_, fall_mm);
   const int steps = std::max(1, cvRound(length_px));
   if (steps > 4 * (view.camera.width_px + view.camera.height_px)) return;  // touches the camera
   for (int i = 0; i < steps; ++i) {
@@ -161,20 +199,10 @@ void ContourExtractor::add_mesh_edge(const MeshEdge& edge, const View& view,
     const Eigen::Vector2d image_px = from_px + s * along_px;
     if (!inside_image(image_px, view.camera)) continue;
 
-    const int x = cvRound(image_px.x());
-    const int y = cvRound(image_px.y());
-    // Beside the contour of a round surface the surface falls towards the camera: a sphere of
-    // radius r by sqrt(2 r d) at a distance d.
-    const double fall_mm =
-        round ? std::sqrt(diameter_mm_ * kSilhouetteProbe_px * z_mm / view.camera.fx_px) : 0.0;
-    const double nearest_mm = z_mm - std::max(kVisibleDepth * diameter_mm_, fall_mm);
-    bool visible = false;
-    for (int dy = -1; dy <= 1 && !visible; ++dy) {
-      for (int dx = -1; dx <= 1 && !visible; ++dx) {
-        visible = depth_at(view, x + dx, y + dy) >= nearest_mm;
-      }
-    }
-    if (!visible) continue;
+    const int x = cvRound(image_px.x()) - view.region.x;
+    const int y = cvRound(image_px.y()) - view.region.y;
+    if (x < 1 || y < 1 || x > view.region.width - 2 || y > view.region.height - 2) continue;
+    if (farthest_around(view.depth_mm, x, y) < z_mm - in_front_mm) continue;
     if (round) {
       bool stands_out = false;
       for (const double side : {-kSilhouetteProbe_px, kSilhouetteProbe_px}) {
@@ -184,10 +212,7 @@ void ContourExtractor::add_mesh_edge(const MeshEdge& edge, const View& view,
       }
       if (!stands_out) continue;
     }
-    if (const int column = x - view.region.x, row = y - view.region.y;
-        column >= 0 && row >= 0 && column < drawn_.cols && row < drawn_.rows) {
-      drawn_.at<std::uint8_t>(row, column) = 1;
-    }
+    drawn_.at<std::uint8_t>(y, x) = 1;
     if (!claim_cell(image_px, view.region, spacing_px)) continue;
     points.push_back({(weight_from * edge.from_mm + weight_to * edge.to_mm) * z_mm, normal, false});
   }
@@ -201,22 +226,20 @@ void ContourExtractor::add_surface_point(const View& view, const Eigen::Vector2d
   const CameraModel& camera = view.camera;
   const Eigen::Vector3d camera_mm((image_px.x() - camera.cx_px) / camera.fx_px * z_mm,
                                   (image_px.y() - camera.cy_px) / camera.fy_px * z_mm, z_mm);
-  point.object_mm = view.camera_from_object.inverse() * camera_mm;
+  point.object_mm = object_from_camera_ * camera_mm;
   points.push_back(point);
 }
 
-void ContourExtractor::add_bends(const View& view, double spacing_px,
-                                 std::vector<ContourPoint>& points) {
-  const cv::Point origin(view.region.x, view.region.y);
-  for (const SurfaceBends::Bend& bend :
-       bends_.find(view.depth_mm, origin, view.camera, kSilhouetteDepth * diameter_mm_)) {
+void ContourExtractor::add_bends(const View& view, const std::vector<SurfaceBends::Bend>& bends,
+                                 double spacing_px, std::vector<ContourPoint>& points) {
+  for (const SurfaceBends::Bend& bend : bends) {
     const int x = cvRound(bend.place_px.x());
     const int y = cvRound(bend.place_px.y());
     const cv::Rect around(x - kBendApart_px, y - kBendApart_px, 2 * kBendApart_px + 1,
                           2 * kBendApart_px + 1);
     // A crease of the mesh is there already.
     if (cv::countNonZero(drawn_(around & cv::Rect({}, drawn_.size()))) > 0) continue;
-    add_surface_point(view, bend.place_px + Eigen::Vector2d(origin.x, origin.y),
+    add_surface_point(view, bend.place_px + Eigen::Vector2d(view.region.x, view.region.y),
                       view.depth_mm.at<float>(y, x), spacing_px,
                       {.object_mm = {}, .normal = bend.across, .bend = true}, points);
   }
@@ -224,29 +247,27 @@ void ContourExtractor::add_bends(const View& view, double spacing_px,
 
 void ContourExtractor::add_texture_edges(const View& view, double spacing_px,
                                          std::vector<ContourPoint>& points) {
-  cv::Mat gx, gy;
-  cv::Sobel(view.grey, gx, CV_16S, 1, 0);
-  cv::Sobel(view.grey, gy, CV_16S, 0, 1);
-  const auto magnitude = [&](int x, int y) {
-    return Eigen::Vector2d(gx.at<short>(y, x), gy.at<short>(y, x)).norm();
+  const auto squared_magnitude = [&](int x, int y) {
+    const int u = along_x_.at<short>(y, x), v = along_y_.at<short>(y, x);
+    return u * u + v * v;
   };
   for (int y = 2; y < view.region.height - 2; ++y) {
     for (int x = 2; x < view.region.width - 2; ++x) {
-      const double here = magnitude(x, y);
-      if (here < kTextureGradient) continue;
+      if (squared_magnitude(x, y) < kTextureGradient * kTextureGradient) continue;
+      // Ridge of the gradient along the stronger axis, then its place between pixels.
+      const Eigen::Vector2d gradient(along_x_.at<short>(y, x), along_y_.at<short>(y, x));
+      const int sx = std::abs(gradient.x()) >= std::abs(gradient.y()) ? 1 : 0, sy = 1 - sx;
+      const double here = gradient.norm();
+      const double before = std::sqrt(squared_magnitude(x - sx, y - sy));
+      const double after = std::sqrt(squared_magnitude(x + sx, y + sy));
+      if (here < before || here <= after) continue;
       // Next to a depth edge the picture shows the silhouette, which the mesh gives better.
       if (near_depth_edge(view.depth_mm, x, y, kSilhouetteDepth * diameter_mm_)) continue;
-
-      const Eigen::Vector2d normal = Eigen::Vector2d(gx.at<short>(y, x), gy.at<short>(y, x)) / here;
-      // Ridge of the gradient along the stronger axis, then its place between pixels.
-      const int sx = std::abs(normal.x()) >= std::abs(normal.y()) ? 1 : 0, sy = 1 - sx;
-      const double before = magnitude(x - sx, y - sy), after = magnitude(x + sx, y + sy);
-      if (here < before || here <= after) continue;
       const double offset = 0.5 * (before - after) / (before - 2 * here + after);
       const Eigen::Vector2d image_px(view.region.x + x + sx * offset,
                                      view.region.y + y + sy * offset);
       add_surface_point(view, image_px, view.depth_mm.at<float>(y, x), spacing_px,
-                        {.object_mm = {}, .normal = normal, .texture = true}, points);
+                        {.object_mm = {}, .normal = gradient / here, .texture = true}, points);
     }
   }
 }

@@ -13,6 +13,7 @@
 #include "mesh_edges.h"
 #include "rasterizer.h"
 #include "surface_bends.h"
+#include "workers.h"
 
 namespace anneal6d {
 
@@ -46,10 +47,11 @@ class ContourExtractor {
 
   /// Replaces `points` by visible ones, about one in `spacing_px` pixels along each edge.
   /// `texture_edges`: also where the rendered brightness jumps.
-  void extract(const View& view, double spacing_px, bool texture_edges,
+  void extract(const View& view, double spacing_px, bool texture_edges, Workers& workers,
                std::vector<ContourPoint>& points);
 
  private:
+  void add_mesh_edges(const View& view, double spacing_px, std::vector<ContourPoint>& points);
   void add_mesh_edge(const MeshEdge& edge, const View& view, const Eigen::Matrix3d& rotation,
                      const Eigen::Vector3d& camera_in_object_mm, double spacing_px,
                      std::vector<ContourPoint>& points);
@@ -57,22 +59,28 @@ class ContourExtractor {
   /// near.
   void add_surface_point(const View& view, const Eigen::Vector2d& image_px, double z_mm,
                          double spacing_px, ContourPoint point, std::vector<ContourPoint>& points);
-  void add_bends(const View& view, double spacing_px, std::vector<ContourPoint>& points);
+  void add_bends(const View& view, const std::vector<SurfaceBends::Bend>& bends, double spacing_px,
+                 std::vector<ContourPoint>& points);
+  /// Takes the gradients of the view's brightness.
   void add_texture_edges(const View& view, double spacing_px, std::vector<ContourPoint>& points);
   bool claim_cell(const Eigen::Vector2d& image_px, const Region& region, double spacing_px);
   bool is_crowded(const ContourPoint& point, const View& view) const;
 
   /// The planes of the faces on one side of each edge: products with a point in homogeneous
-  /// coordinates are its heights above them, mm.
+  /// coordinates are its heights above them, mm. Zero for creases and borders, which are seen from
+  /// anywhere.
   using Planes = Eigen::Matrix<float, Eigen::Dynamic, 4>;
 
   std::vector<MeshEdge> edges_;
   Planes planes_a_, planes_b_;
-  Eigen::VectorXf height_a_, height_b_;  ///< of the camera
+  Pose object_from_camera_;                ///< of the view
+  Eigen::VectorXf height_a_, height_b_;    ///< of the camera
+  std::vector<std::uint32_t> candidates_;  ///< edges that may be part of the contour
   double diameter_mm_;
   bool bent_ = false;                ///< the surface has bends that are no creases
   std::vector<std::uint8_t> cells_;  ///< where points were placed already
   cv::Mat drawn_;                    ///< pixels of the region that visible edges of the mesh cross
+  cv::Mat along_x_, along_y_;        ///< gradients of the brightness
   SurfaceBends bends_;
 };
 

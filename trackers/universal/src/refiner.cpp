@@ -21,8 +21,15 @@ constexpr double kFinestReach_px = 2.5;
 constexpr std::array kApproachReaches_px = {16.0, 10.0};
 constexpr int kApproachSteps = 2;
 constexpr std::ptrdiff_t kFewestSilhouettes = 20;
-// Polishing ends so narrow that edges which are off, as silhouettes are by shading, lose their say.
-constexpr std::array kPolishingReaches_px = {1.5, 0.75, 0.375};
+// Polishing comes near with some of the points and ends with all of them, so narrow that edges
+// which are off, as silhouettes are by shading, lose their say.
+struct PolishingRound {
+  std::size_t most_points;
+  int observed_px;
+  std::array<double, 2> reaches_px;
+};
+constexpr std::array kPolishing = {PolishingRound{240, 2, {1.5, 0.75}},
+                                   PolishingRound{Refiner::kMostPolished, 1, {0.75, 0.375}}};
 // See ContourMatch::expect; contours of views are those of poses a few degrees away.
 constexpr double kFeigned = 0.005;
 constexpr double kSupport_px = 2.0;
@@ -105,11 +112,13 @@ Refiner::Result Refiner::polish(const Result& refined, const ModelView& view, do
   ContourMatch contour = match();
   contour.expect(to_center(refined.camera_from_object), feigned_share);
   Result polished = refined;
-  for (const double reach_px : kPolishingReaches_px) {
-    contour.project(polished.camera_from_object, view, view.contour.size());
+  for (const PolishingRound& round : kPolishing) {
+    contour.project(polished.camera_from_object, view, round.most_points);
     if (contour.targets().size() < kFewestPoints) return refined;
-    contour.observe(static_cast<int>(std::ceil(reach_px)), appearance);
-    for (int i = 0; i < kStepsPerRound; ++i) contour.step(reach_px);
+    contour.observe(round.observed_px, appearance);
+    for (const double reach_px : round.reaches_px) {
+      for (int i = 0; i < kStepsPerRound; ++i) contour.step(reach_px);
+    }
     polished.camera_from_object = contour.camera_from_object();
   }
   polished.unseen = contour.unseen();

@@ -57,6 +57,9 @@ class Refiner {
   /// no colours were learned or too little outline is in sight.
   Pose approach(const Pose& start_camera_from_object, const Appearance& appearance) const;
 
+  /// Points of a contour that polish() looks at, at most.
+  static constexpr std::size_t kMostPolished = 480;
+
   /// Goes on from a refined pose with `view`, the contour exactly as at that pose. What the edges
   /// leave open stays as it is; for `feigned_share` see ContourMatch::expect.
   Result polish(const Result& refined, const ModelView& view, double feigned_share,

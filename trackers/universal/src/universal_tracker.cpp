@@ -5,6 +5,7 @@
 #include <algorithm>
 #include <array>
 #include <cmath>
+#include <functional>
 #include <numbers>
 #include <opencv2/imgproc.hpp>
 #include <optional>
@@ -34,14 +35,15 @@ constexpr double kFitting = 0.94;  // of the usual fit: there is no need to look
 constexpr double kFitRise = 0.3, kFitFall = 0.03;  // of the newest frame in the usual fit
 constexpr double kNeighbour_px = 4.0, kNeighbourShift_px = 3.0;
 constexpr double kNeighbourReach_px = 3.0;
-constexpr std::uint32_t kPasses = 3;  // of the search, each twice as wide as the one before
-constexpr double kGain = 0.03;        // in evidence, without which a search was in vain
-constexpr double kRegionWeight = 20;  // of the colours beside the edges, as the rating's c
+constexpr double kNeighbourApart_px = 1.0;  // less is the same pose
+constexpr std::uint32_t kPasses = 3;        // of the search, each twice as wide as the one before
+constexpr double kWider = 0.9;              // of what is sure: less lets the search go on, wider
+constexpr double kGain = 0.03;              // in evidence, without which a search was in vain
+constexpr double kRegionWeight = 20;        // of the colours beside the edges, as the rating's c
 constexpr double kFirstSupport = 0.8;
 constexpr double kSupportRise = 0.1, kSupportFall = 0.3;  // the same in the usual support
 constexpr double kWindow_px = 30.0;  // around the object, and three deviations of its motion
 constexpr double kLeastReach_px = 6.0, kMostReach_px = 16.0;
-constexpr std::size_t kExactSamples = 480;        // of the contour, for polishing
 constexpr std::size_t kLargeModel = 40'000;       // triangles, too many to be drawn in every frame
 constexpr double kRight_mm = 10, kRight_deg = 2;  // what quality is the probability of
 constexpr double kFarthest = 4;                   // of a particle, in standard deviations
@@ -86,6 +88,11 @@ struct Sight {
           painter(model, setup.edges, setup.shading, setup.camera),
           feigned_share(std::clamp(16.0 / static_cast<double>(setup.mesh->triangles().size()),
                                    0.001, 0.003)) {}
+
+    ModelView paint(const Pose& camera_from_object, Workers& workers) {
+      return painter.paint_contour(camera_from_object, Refiner::kMostPolished, 0, workers);
+    }
+
     RasterModel model;
     ViewPainter painter;
     /// See ContourMatch::expect. Where n triangles stand for a round surface their normals are off
@@ -219,14 +226,19 @@ class UniversalTracker final : public RigidObjectTracker {
       if (likelihood(other) > likelihood(best)) best = other;
       if (!confirmed_as_usual(best, kSecondAttempt)) best = search_around(best, appearance);
     }
-    best = best_of_neighbours(best, appearance);
+    ModelView contour;  // exactly as at the best pose
+    const auto draw = [&] {
+      if (sight_->exact) contour = sight_->exact->paint(best.camera_from_object, workers_);
+    };
+    if (const auto better = better_neighbour(best, appearance, draw)) {
+      best = *better;
+      draw();
+    }
     usual_fit_ += (best.fit > usual_fit_ ? kFitRise : kFitFall) * (best.fit - usual_fit_);
     usual_support_ += (best.support > usual_support_ ? kSupportRise : kSupportFall) *
                       (best.support - usual_support_);
     if (sight_->exact) {
-      const ModelView view =
-          sight_->exact->painter.paint_contour(best.camera_from_object, kExactSamples, 0);
-      best = sight_->refiner.polish(best, view, sight_->exact->feigned_share, appearance);
+      best = sight_->refiner.polish(best, contour, sight_->exact->feigned_share, appearance);
     }
     Pose found = filter_.to_center(best.camera_from_object);
     found.rotation = symmetry_.fold(found.rotation, last.rotation);
@@ -264,7 +276,7 @@ class UniversalTracker final : public RigidObjectTracker {
     Refiner::Result best = refined;
     Expectation wider = expected_;
     for (std::uint32_t pass = 0; pass < kPasses; ++pass) {
-      if (pass > 0 && supported_as_usual(best)) break;
+      if (pass > 0 && supported_as_usual(best, kWider)) break;
       const double weight = appearance.learned() ? kRegionWeight : 0.0;
       RandomKey random = key(0);
       random.frame = frame_number_ * kPasses + pass;
@@ -280,15 +292,19 @@ class UniversalTracker final : public RigidObjectTracker {
     return best;
   }
 
-  /// The same or a better pose near it: edges side by side, such as the two of a cup's rim, make
-  /// false bottoms. They lie along the motions that the contour shows least and, since either edge
-  /// of a rim is taken for the other, a few pixels aside. A false bottom stays from frame to frame,
-  /// so that each frame looks along one motion only, unless edges fit less closely than usual.
-  Refiner::Result best_of_neighbours(const Refiner::Result& refined, const Appearance& appearance) {
+  /// A better pose near it, if there is one: edges side by side, such as the two of a cup's rim,
+  /// make false bottoms. They lie along the motions that the contour shows least and, since either
+  /// edge of a rim is taken for the other, a few pixels aside. A false bottom stays from frame to
+  /// frame, so that each frame looks along one motion only, unless edges fit less closely than
+  /// usual. `meanwhile` is called on some thread.
+  std::optional<Refiner::Result> better_neighbour(const Refiner::Result& refined,
+                                                  const Appearance& appearance,
+                                                  const std::function<void()>& meanwhile) {
     const Refiner& refiner = sight_->refiner;
     const Pose center = filter_.to_center(refined.camera_from_object);
     const std::array<Twist, 2> weak = refined.weak_motions;
-    const double shift_mm = kNeighbourShift_px * center.translation_mm.z() / camera().fx_px;
+    const double mm_per_px = center.translation_mm.z() / camera().fx_px;
+    const double shift_mm = kNeighbourShift_px * mm_per_px;
     const std::array<Twist, 4> motions = {kNeighbour_px * weak[0], shift_mm * Twist::Unit(4),
                                           kNeighbour_px * weak[1], shift_mm * Twist::Unit(3)};
     const bool doubtful = refined.fit < kFitting * usual_fit_;
@@ -299,27 +315,36 @@ class UniversalTracker final : public RigidObjectTracker {
         starts.push_back(filter_.to_object(moved(center, side * motions[i])));
       }
     }
-    std::vector<Refiner::Result> others(starts.size() + 1);
-    workers_.each(others.size(), 1, [&](std::size_t i) {
-      others[i] = i < starts.size() ? refiner.refine(starts[i], starts[i], kNeighbourReach_px,
-                                                     appearance, Refiner::Care::quick)
-                                    : refiner.examine(refined.camera_from_object, appearance,
-                                                      Refiner::Care::quick);
+    std::vector<Refiner::Result> others(starts.size());
+    Refiner::Result best;  // the refined one first, with as few points as the others
+    workers_.each(others.size() + 2, 1, [&](std::size_t i) {
+      if (i == 0) {
+        meanwhile();  // it takes longest
+      } else if (i == 1) {
+        best = refiner.examine(refined.camera_from_object, appearance, Refiner::Care::quick);
+      } else {
+        others[i - 2] = refiner.refine(starts[i - 2], starts[i - 2], kNeighbourReach_px, appearance,
+                                       Refiner::Care::quick);
+      }
     });
     const auto likely = [&](const Refiner::Result& result) {
       return result.fit - strangeness(result);
     };
-    Refiner::Result best = others.back();
+    const auto apart_px = [&](const Refiner::Result& result) {
+      const Twist apart = twist_between(center, filter_.to_center(result.camera_from_object));
+      return (apart.head<3>().norm() * mesh().radius_mm() + apart.tail<3>().norm()) / mm_per_px;
+    };
     bool better = false;
     for (const Refiner::Result& other : others) {
-      if (likely(other) <= likely(best)) continue;
+      if (likely(other) <= likely(best) || apart_px(other) < kNeighbourApart_px) continue;
       best = other;
       better = true;
     }
-    if (!better) return refined;
+    if (!better) return std::nullopt;
     best = refiner.refine(best.camera_from_object, best.camera_from_object, kNeighbourReach_px,
                           appearance);
-    return likely(best) > likely(refined) ? best : refined;
+    if (likely(best) <= likely(refined)) return std::nullopt;
+    return best;
   }
 
   double likelihood(const Refiner::Result& result) const {

@@ -16,6 +16,7 @@ namespace {
 
 constexpr double kSpacing_px = 2.5;
 constexpr std::size_t kMostContour = 240;
+constexpr std::size_t kSamplesPerTask = 120;
 constexpr int kMostEdges = 300;
 constexpr double kProbe_px = 1.6;  // beside a contour, to tell object from background
 constexpr double kBend_px = 2.0;
@@ -64,7 +65,8 @@ ModelView ViewPainter::paint(const Eigen::Vector3d& direction, std::uint32_t see
       Eigen::Vector3d(0, 0, ViewModel::kDistance * model_.mesh->radius_mm()) -
       camera_from_object.rotation * center_mm;
 
-  ModelView view = paint_contour(camera_from_object, kMostContour, seed);
+  Workers alone(1);  // views are painted side by side
+  ModelView view = paint_contour(camera_from_object, kMostContour, seed, alone);
   if (region_.empty()) return view;
   sample_edges(camera_from_object, seed, view);
   return view;
@@ -78,19 +80,25 @@ float ViewPainter::depth_at(const Eigen::Vector2d& image_px) const {
 }
 
 ModelView ViewPainter::paint_contour(const Pose& camera_from_object, std::size_t most_samples,
-                                     std::uint32_t seed) {
+                                     std::uint32_t seed, Workers& workers) {
   ModelView view;
   region_ = rasterizer_.draw(camera_from_object, 8);
   if (region_.empty()) return view;
   rasterizer_.take_images(grey_, depth_mm_);
-  extractor_.extract({camera_from_object, camera_, region_, grey_, depth_mm_}, kSpacing_px,
-                     model_.patterned, points_);
+  workers.each(2, 1, [&](std::size_t part) {
+    if (part == 0) {
+      extractor_.extract({camera_from_object, camera_, region_, grey_, depth_mm_}, kSpacing_px,
+                         model_.patterned, workers, points_);
+    } else {
+      cv::GaussianBlur(grey_, smooth_grey_, {5, 5}, kEdgeBlur_px, kEdgeBlur_px,
+                       cv::BORDER_REPLICATE);
+    }
+  });
   shuffle(points_, seed);
   if (points_.size() > most_samples) points_.resize(most_samples);
-  cv::GaussianBlur(grey_, smooth_grey_, {}, kEdgeBlur_px, kEdgeBlur_px, cv::BORDER_REPLICATE);
-  for (const ContourPoint& point : points_) {
-    view.contour.push_back(sample_of(point, camera_from_object));
-  }
+  view.contour.resize(points_.size());
+  workers.each(points_.size(), kSamplesPerTask,
+               [&](std::size_t i) { view.contour[i] = sample_of(points_[i], camera_from_object); });
   return view;
 }
 

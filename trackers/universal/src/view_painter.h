@@ -15,8 +15,8 @@ namespace anneal6d {
 CameraModel view_camera();
 
 /// Makes one view at a time: draws the object, finds its contour and the edge pixels of the
-/// drawing, and says of each what tracking wants to know. For one thread; copies are independent.
-/// The model outlives it.
+/// drawing, and says of each what tracking wants to know. For one caller at a time; copies are
+/// independent. The model outlives it.
 class ViewPainter {
  public:
   ViewPainter(const RasterModel& model, const EdgeOptions& edges, const Shading& shading,
@@ -29,7 +29,7 @@ class ViewPainter {
   /// Just the contour of the object at a pose, at most so many samples of it; `seed` decides which,
   /// and their order.
   ModelView paint_contour(const Pose& camera_from_object, std::size_t most_samples,
-                          std::uint32_t seed);
+                          std::uint32_t seed, Workers& workers);
 
  private:
   ContourSample sample_of(const ContourPoint& point, const Pose& camera_from_object) const;

@@ -16,14 +16,14 @@ class Workers {
  public:
   /// 0 threads: the caller's own arena, which has all cores unless the caller says otherwise. Loops
   /// of several `Workers` then find each other's threads awake.
-  explicit Workers(int threads) {
-    if (threads > 0) arena_.emplace(threads);
+  explicit Workers(int threads) : alone_(threads == 1) {
+    if (threads > 1) arena_.emplace(threads);
   }
 
   /// Calls `pass(i)` for each i below `count`, in any order; `grain` passes are worth a task.
   template <class Pass>
   void each(std::size_t count, std::size_t grain, const Pass& pass) {
-    if (count <= grain) {
+    if (alone_ || count <= grain) {
       for (std::size_t i = 0; i < count; ++i) pass(i);
       return;
     }
@@ -40,6 +40,7 @@ class Workers {
   }
 
  private:
+  bool alone_;
   std::optional<tbb::task_arena> arena_;
 };
 
