@@ -44,9 +44,10 @@ constexpr double kFirstSupport = 0.8;
 constexpr double kSupportRise = 0.1, kSupportFall = 0.3;  // the same in the usual support
 constexpr double kWindow_px = 30.0;  // around the object, and three deviations of its motion
 constexpr double kLeastReach_px = 6.0, kMostReach_px = 16.0;
-constexpr std::size_t kLargeModel = 40'000;       // triangles, too many to be drawn in every frame
-constexpr double kRight_mm = 10, kRight_deg = 2;  // what quality is the probability of
-constexpr double kFarthest = 4;                   // of a particle, in standard deviations
+constexpr std::size_t kLargeModel = 40'000;        // triangles, too many to be drawn in every frame
+constexpr double kDrawnApart_rad = 0.5 * kDegree;  // of viewpoints that see the same contour
+constexpr double kRight_mm = 10, kRight_deg = 2;   // what quality is the probability of
+constexpr double kFarthest = 4;                    // of a particle, in standard deviations
 constexpr double kLostQuality = 0.25;
 constexpr int kFramesUntilLost = 2;
 
@@ -81,23 +82,47 @@ struct Sight {
     if (setup.mesh->triangles().size() < kLargeModel) exact = std::make_unique<Exact>(setup);
   }
 
-  /// The contour exactly as it is at a pose, drawn frame by frame.
-  struct Exact {
+  /// The contour exactly as it is at a pose, drawn while tracking.
+  class Exact {
+   public:
     explicit Exact(const ScorerSetup& setup)
-        : model(setup.mesh, setup.textured),
-          painter(model, setup.edges, setup.shading, setup.camera),
-          feigned_share(std::clamp(16.0 / static_cast<double>(setup.mesh->triangles().size()),
-                                   0.001, 0.003)) {}
+        : model_(setup.mesh, setup.textured),
+          painter_(model_, setup.edges, setup.shading, setup.camera),
+          feigned_share_(std::clamp(16.0 / static_cast<double>(setup.mesh->triangles().size()),
+                                    0.001, 0.003)) {}
 
-    ModelView paint(const Pose& camera_from_object, Workers& workers) {
-      return painter.paint_contour(camera_from_object, Refiner::kMostPolished, 0, workers);
+    /// What was drawn before is forgotten.
+    void reset() { drawn_.reset(); }
+
+    /// Draws the contour at a pose, unless the object looks the same as when it was drawn last, but
+    /// for a shift and a turn of the image.
+    void draw(const Pose& camera_from_object, Workers& workers) {
+      if (looks_as_drawn(camera_from_object)) return;
+      contour_ = painter_.paint_contour(camera_from_object, Refiner::kMostPolished, 0, workers);
+      drawn_ = camera_from_object;
     }
 
-    RasterModel model;
-    ViewPainter painter;
+    const ModelView& contour() const { return contour_; }
     /// See ContourMatch::expect. Where n triangles stand for a round surface their normals are off
     /// by an angle that goes with 1 / sqrt(n), and what they feign with its square.
-    double feigned_share;
+    double feigned_share() const { return feigned_share_; }
+
+   private:
+    bool looks_as_drawn(const Pose& camera_from_object) const {
+      if (!drawn_) return false;
+      const auto to_camera_mm = [&](const Pose& pose) -> Eigen::Vector3d {
+        return pose.inverse().translation_mm - model_.mesh->center_mm().cast<double>();
+      };
+      const Eigen::Vector3d drawn_mm = to_camera_mm(*drawn_);
+      const Eigen::Vector3d now_mm = to_camera_mm(camera_from_object);
+      return (drawn_mm - now_mm).norm() < kDrawnApart_rad * now_mm.norm();
+    }
+
+    RasterModel model_;
+    ViewPainter painter_;
+    double feigned_share_;
+    std::optional<Pose> drawn_;
+    ModelView contour_;
   };
 
   std::shared_ptr<const ViewModel> views;
@@ -139,7 +164,9 @@ class UniversalTracker final : public RigidObjectTracker {
     bad_frames_ = 0;
     usual_support_ = kFirstSupport;
     usual_fit_ = 0;
-    if (sight_) sight_->appearance.reset();
+    if (!sight_) return;
+    sight_->appearance.reset();
+    if (sight_->exact) sight_->exact->reset();
   }
 
   void on_shown(const cv::Mat& undistorted) override {
@@ -226,9 +253,8 @@ class UniversalTracker final : public RigidObjectTracker {
       if (likelihood(other) > likelihood(best)) best = other;
       if (!confirmed_as_usual(best, kSecondAttempt)) best = search_around(best, appearance);
     }
-    ModelView contour;  // exactly as at the best pose
     const auto draw = [&] {
-      if (sight_->exact) contour = sight_->exact->paint(best.camera_from_object, workers_);
+      if (sight_->exact) sight_->exact->draw(best.camera_from_object, workers_);
     };
     if (const auto better = better_neighbour(best, appearance, draw)) {
       best = *better;
@@ -238,7 +264,8 @@ class UniversalTracker final : public RigidObjectTracker {
     usual_support_ += (best.support > usual_support_ ? kSupportRise : kSupportFall) *
                       (best.support - usual_support_);
     if (sight_->exact) {
-      best = sight_->refiner.polish(best, contour, sight_->exact->feigned_share, appearance);
+      best = sight_->refiner.polish(best, sight_->exact->contour(), sight_->exact->feigned_share(),
+                                    appearance);
     }
     Pose found = filter_.to_center(best.camera_from_object);
     found.rotation = symmetry_.fold(found.rotation, last.rotation);
