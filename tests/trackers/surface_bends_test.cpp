@@ -5,7 +5,9 @@
 #include <gtest/gtest.h>
 
 #include <algorithm>
+#include <cstdint>
 
+#include "instruction_sets.h"
 #include "synthetic.h"
 
 namespace anneal6d {
@@ -72,22 +74,26 @@ class BendsOfARoundedBox : public testing::Test {
 };
 
 TEST_F(BendsOfARoundedBox, RunAlongItsEdges) {
-  const Bends bends = bends_of(mesh, pose);
   const auto edges = visible_edges();
   ASSERT_EQ(edges.size(), 3U);
   constexpr int kParts = 8;
   // Not at its ends, where the surface turns elsewhere or out of sight.
   constexpr double kFrom = 0.1, kTo = 0.8;
-  for (const RoundedEdge& edge : edges) {
-    for (int part = 0; part < kParts; ++part) {
-      const Eigen::Vector2d middle_px = edge.at(kFrom + (kTo - kFrom) * (part + 0.5) / kParts);
-      const double half_px = 0.5 * (kTo - kFrom) * (edge.to_px - edge.from_px).norm() / kParts;
-      const bool covered = std::any_of(bends.begin(), bends.end(), [&](const auto& bend) {
-        const Eigen::Vector2d offset = bend.place_px - middle_px;
-        return std::abs(offset.dot(edge.along())) < half_px && edge.distance_px(bend.place_px) < 2;
-      });
-      EXPECT_TRUE(covered) << "part " << part << " of " << edge.from_px.transpose() << " to "
-                           << edge.to_px.transpose();
+  for (const std::int64_t target : test::instruction_sets()) {
+    const test::OnInstructionSet on(target);
+    const Bends bends = bends_of(mesh, pose);
+    for (const RoundedEdge& edge : edges) {
+      for (int part = 0; part < kParts; ++part) {
+        const Eigen::Vector2d middle_px = edge.at(kFrom + (kTo - kFrom) * (part + 0.5) / kParts);
+        const double half_px = 0.5 * (kTo - kFrom) * (edge.to_px - edge.from_px).norm() / kParts;
+        const bool covered = std::any_of(bends.begin(), bends.end(), [&](const auto& bend) {
+          const Eigen::Vector2d offset = bend.place_px - middle_px;
+          return std::abs(offset.dot(edge.along())) < half_px &&
+                 edge.distance_px(bend.place_px) < 2;
+        });
+        EXPECT_TRUE(covered) << "part " << part << " of " << edge.from_px.transpose() << " to "
+                             << edge.to_px.transpose() << " on " << hwy::TargetName(target);
+      }
     }
   }
 }
