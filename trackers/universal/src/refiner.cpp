@@ -68,16 +68,15 @@ Pose Refiner::to_center(const Pose& camera_from_object) const {
 
 ContourMatch Refiner::match() const { return {picture(), camera_, views_.center_mm()}; }
 
-Refiner::Result Refiner::refine(const Pose& start_camera_from_object,
-                                const Pose& expected_camera_from_object, double reach_px,
-                                const Appearance& appearance, Care care) const {
-  ContourMatch contour = match();
-  contour.expect(to_center(expected_camera_from_object), kFeigned);
+Pose Refiner::follow(ContourMatch& contour, const ModelView* view,
+                     const Pose& start_camera_from_object, double reach_px,
+                     const Appearance& appearance, Care care) const {
   Pose pose = start_camera_from_object;
   double reach = reach_px;
   const int rounds = care == Care::quick ? kCoarseRounds : kRounds;
   for (int round = 0; round < rounds && !smooth_.empty(); ++round) {
-    contour.project(pose, views_.seen_from(pose), round < kCoarseRounds ? kFewPoints : kAllPoints);
+    contour.project(pose, view ? *view : views_.seen_from(pose),
+                    round < kCoarseRounds ? kFewPoints : kAllPoints);
     if (contour.targets().size() < kFewestPoints) break;
     contour.observe(std::clamp(static_cast<int>(std::ceil(reach)), 2, EdgeLine::kMaxReach_px),
                     appearance);
@@ -85,10 +84,28 @@ Refiner::Result Refiner::refine(const Pose& start_camera_from_object,
     pose = contour.camera_from_object();
     reach = std::max(kFinestReach_px, 0.5 * reach);
   }
-  Result result = examine(contour, pose, appearance, care);
+  return pose;
+}
+
+Refiner::Result Refiner::refine(const Pose& start_camera_from_object,
+                                const Pose& expected_camera_from_object, double reach_px,
+                                const Appearance& appearance, Care care) const {
+  ContourMatch contour = match();
+  contour.expect(to_center(expected_camera_from_object), kFeigned);
+  const Pose pose = follow(contour, nullptr, start_camera_from_object, reach_px, appearance, care);
+  Result result = examine(contour, views_.seen_from(pose), pose, appearance, points_of(care));
   result.weak_motions = contour.weak_motions();
   result.unseen = contour.unseen();
   return result;
+}
+
+Refiner::Result Refiner::refine_in(const ModelView& view, const Pose& start_camera_from_object,
+                                   double reach_px, const Appearance& appearance) const {
+  ContourMatch contour = match();
+  contour.expect(to_center(start_camera_from_object), kFeigned);
+  const Pose pose =
+      follow(contour, &view, start_camera_from_object, reach_px, appearance, Care::quick);
+  return examine(contour, view, pose, appearance, view.contour.size());
 }
 
 Pose Refiner::approach(const Pose& start_camera_from_object, const Appearance& appearance) const {
@@ -130,14 +147,22 @@ Refiner::Result Refiner::polish(const Result& refined, const ModelView& view, do
 Refiner::Result Refiner::examine(const Pose& camera_from_object, const Appearance& appearance,
                                  Care care) const {
   ContourMatch contour = match();
-  return examine(contour, camera_from_object, appearance, care);
+  return examine(contour, views_.seen_from(camera_from_object), camera_from_object, appearance,
+                 points_of(care));
 }
 
-Refiner::Result Refiner::examine(ContourMatch& contour, const Pose& camera_from_object,
-                                 const Appearance& appearance, Care care) const {
+Refiner::Result Refiner::examine_in(const ModelView& view, const Pose& camera_from_object,
+                                    const Appearance& appearance) const {
+  ContourMatch contour = match();
+  return examine(contour, view, camera_from_object, appearance, view.contour.size());
+}
+
+Refiner::Result Refiner::examine(ContourMatch& contour, const ModelView& view,
+                                 const Pose& camera_from_object, const Appearance& appearance,
+                                 std::size_t most_points) const {
   Result result{.camera_from_object = camera_from_object};
   if (smooth_.empty()) return result;
-  contour.project(camera_from_object, views_.seen_from(camera_from_object), points_of(care));
+  contour.project(camera_from_object, view, most_points);
   if (contour.targets().size() < kFewestPoints) return result;
   double confirmed = 0, fitting = 0;
   for (const ContourMatch::Target& target : contour.targets()) {

@@ -52,6 +52,11 @@ class Refiner {
   Result refine(const Pose& start_camera_from_object, const Pose& expected_camera_from_object,
                 double reach_px, const Appearance& appearance, Care care = Care::full) const;
 
+  /// The same, quick, with the contour of `view`, drawn at a pose nearby, instead of those of the
+  /// model's views; examined with all of it.
+  Result refine_in(const ModelView& view, const Pose& start_camera_from_object, double reach_px,
+                   const Appearance& appearance) const;
+
   /// Comes nearer to where colours that were learned put the object's outline: from farther than
   /// refine(), which edges of the background lead astray there, but not as close. The same pose if
   /// no colours were learned or too little outline is in sight.
@@ -68,6 +73,9 @@ class Refiner {
   /// How well the image confirms a pose.
   Result examine(const Pose& camera_from_object, const Appearance& appearance,
                  Care care = Care::full) const;
+  /// The same with all of a contour that was drawn at the pose or nearby.
+  Result examine_in(const ModelView& view, const Pose& camera_from_object,
+                    const Appearance& appearance) const;
 
   /// The share of the visible contour that would have an edge near it also where it does not
   /// belong, 0..1: in a cluttered image edges confirm little.
@@ -79,8 +87,12 @@ class Refiner {
  private:
   Pose to_center(const Pose& camera_from_object) const;
   ContourMatch match() const;
-  Result examine(ContourMatch& contour, const Pose& camera_from_object,
-                 const Appearance& appearance, Care care) const;
+  /// Moves a pose to the edges with the contour of `view`, or, if that is null, of those nearest to
+  /// it on its way.
+  Pose follow(ContourMatch& contour, const ModelView* view, const Pose& start_camera_from_object,
+              double reach_px, const Appearance& appearance, Care care) const;
+  Result examine(ContourMatch& contour, const ModelView& view, const Pose& camera_from_object,
+                 const Appearance& appearance, std::size_t most_points) const;
 
   const ViewModel& views_;
   CameraModel camera_;

@@ -13,13 +13,13 @@
 #include "anneal6d/framework/error.h"
 #include "anneal6d/framework/particle_filter.h"
 #include "drawn_mesh.h"
+#include "exact_contour.h"
 #include "motion_model.h"
 #include "pose_filter.h"
 #include "pose_search.h"
 #include "pose_uncertainty.h"
 #include "refiner.h"
 #include "region_cue.h"
-#include "view_painter.h"
 #include "view_store.h"
 #include "workers.h"
 
@@ -35,19 +35,21 @@ constexpr double kFitting = 0.94;  // of the usual fit: there is no need to look
 constexpr double kFitRise = 0.3, kFitFall = 0.03;  // of the newest frame in the usual fit
 constexpr double kNeighbour_px = 4.0, kNeighbourShift_px = 3.0;
 constexpr double kNeighbourReach_px = 3.0;
-constexpr double kNeighbourApart_px = 1.0;  // less is the same pose
-constexpr std::uint32_t kPasses = 3;        // of the search, each twice as wide as the one before
-constexpr double kWider = 0.9;              // of what is sure: less lets the search go on, wider
-constexpr double kGain = 0.03;              // in evidence, without which a search was in vain
-constexpr double kRegionWeight = 20;        // of the colours beside the edges, as the rating's c
+constexpr double kNeighbourApart_px = 1.0;  // less is the same place
+constexpr std::uint32_t kNeighbourMotions = 4;
+// By how much a neighbour must be likelier, by views and by the exact contour: else noise decides.
+constexpr double kNeighbourGain = 0.006, kExactGain = 0.01;
+constexpr std::uint32_t kPasses = 3;  // of the search, each twice as wide as the one before
+constexpr double kWider = 0.9;        // of what is sure: less lets the search go on, wider
+constexpr double kGain = 0.03;        // in evidence, without which a search was in vain
+constexpr double kRegionWeight = 20;  // of the colours beside the edges, as the rating's c
 constexpr double kFirstSupport = 0.8;
 constexpr double kSupportRise = 0.1, kSupportFall = 0.3;  // the same in the usual support
 constexpr double kWindow_px = 30.0;  // around the object, and three deviations of its motion
 constexpr double kLeastReach_px = 6.0, kMostReach_px = 16.0;
-constexpr std::size_t kLargeModel = 40'000;        // triangles, too many to be drawn in every frame
-constexpr double kDrawnApart_rad = 0.5 * kDegree;  // of viewpoints that see the same contour
-constexpr double kRight_mm = 10, kRight_deg = 2;   // what quality is the probability of
-constexpr double kFarthest = 4;                    // of a particle, in standard deviations
+constexpr std::size_t kLargeModel = 40'000;       // triangles, too many to be drawn in every frame
+constexpr double kRight_mm = 10, kRight_deg = 2;  // what quality is the probability of
+constexpr double kFarthest = 4;                   // of a particle, in standard deviations
 constexpr double kLostQuality = 0.25;
 constexpr int kFramesUntilLost = 2;
 
@@ -79,57 +81,14 @@ struct Sight {
         region(*views, setup.camera, workers),
         search(filter, refiner, workers, effort, setup.mesh->radius_mm()) {
     filter.set_region_cue(region);
-    if (setup.mesh->triangles().size() < kLargeModel) exact = std::make_unique<Exact>(setup);
+    if (setup.mesh->triangles().size() < kLargeModel) exact = std::make_unique<ExactContour>(setup);
   }
-
-  /// The contour exactly as it is at a pose, drawn while tracking.
-  class Exact {
-   public:
-    explicit Exact(const ScorerSetup& setup)
-        : model_(setup.mesh, setup.textured),
-          painter_(model_, setup.edges, setup.shading, setup.camera),
-          feigned_share_(std::clamp(16.0 / static_cast<double>(setup.mesh->triangles().size()),
-                                    0.001, 0.003)) {}
-
-    /// What was drawn before is forgotten.
-    void reset() { drawn_.reset(); }
-
-    /// Draws the contour at a pose, unless the object looks the same as when it was drawn last, but
-    /// for a shift and a turn of the image.
-    void draw(const Pose& camera_from_object, Workers& workers) {
-      if (looks_as_drawn(camera_from_object)) return;
-      contour_ = painter_.paint_contour(camera_from_object, Refiner::kMostPolished, 0, workers);
-      drawn_ = camera_from_object;
-    }
-
-    const ModelView& contour() const { return contour_; }
-    /// See ContourMatch::expect. Where n triangles stand for a round surface their normals are off
-    /// by an angle that goes with 1 / sqrt(n), and what they feign with its square.
-    double feigned_share() const { return feigned_share_; }
-
-   private:
-    bool looks_as_drawn(const Pose& camera_from_object) const {
-      if (!drawn_) return false;
-      const auto to_camera_mm = [&](const Pose& pose) -> Eigen::Vector3d {
-        return pose.inverse().translation_mm - model_.mesh->center_mm().cast<double>();
-      };
-      const Eigen::Vector3d drawn_mm = to_camera_mm(*drawn_);
-      const Eigen::Vector3d now_mm = to_camera_mm(camera_from_object);
-      return (drawn_mm - now_mm).norm() < kDrawnApart_rad * now_mm.norm();
-    }
-
-    RasterModel model_;
-    ViewPainter painter_;
-    double feigned_share_;
-    std::optional<Pose> drawn_;
-    ModelView contour_;
-  };
 
   std::shared_ptr<const ViewModel> views;
   Refiner refiner;
   RegionCue region;
   PoseSearch search;
-  std::unique_ptr<Exact> exact;          ///< null for very large models
+  std::unique_ptr<ExactContour> exact;   ///< null for very large models
   std::optional<Appearance> appearance;  ///< for as many channels as the frames have
 };
 
@@ -263,10 +222,7 @@ class UniversalTracker final : public RigidObjectTracker {
     usual_fit_ += (best.fit > usual_fit_ ? kFitRise : kFitFall) * (best.fit - usual_fit_);
     usual_support_ += (best.support > usual_support_ ? kSupportRise : kSupportFall) *
                       (best.support - usual_support_);
-    if (sight_->exact) {
-      best = sight_->refiner.polish(best, sight_->exact->contour(), sight_->exact->feigned_share(),
-                                    appearance);
-    }
+    if (sight_->exact) best = polished(best, appearance);
     Pose found = filter_.to_center(best.camera_from_object);
     found.rotation = symmetry_.fold(found.rotation, last.rotation);
     result.camera_from_object = result.best_camera_from_object = filter_.to_object(found);
@@ -320,27 +276,18 @@ class UniversalTracker final : public RigidObjectTracker {
   }
 
   /// A better pose near it, if there is one: edges side by side, such as the two of a cup's rim,
-  /// make false bottoms. They lie along the motions that the contour shows least and, since either
-  /// edge of a rim is taken for the other, a few pixels aside. A false bottom stays from frame to
-  /// frame, so that each frame looks along one motion only, unless edges fit less closely than
-  /// usual. `meanwhile` is called on some thread.
+  /// make false bottoms. A false bottom stays from frame to frame, so that each frame looks along
+  /// one motion only, unless edges fit less closely than usual. `meanwhile` is called on some
+  /// thread.
   std::optional<Refiner::Result> better_neighbour(const Refiner::Result& refined,
                                                   const Appearance& appearance,
                                                   const std::function<void()>& meanwhile) {
     const Refiner& refiner = sight_->refiner;
-    const Pose center = filter_.to_center(refined.camera_from_object);
-    const std::array<Twist, 2> weak = refined.weak_motions;
-    const double mm_per_px = center.translation_mm.z() / camera().fx_px;
-    const double shift_mm = kNeighbourShift_px * mm_per_px;
-    const std::array<Twist, 4> motions = {kNeighbour_px * weak[0], shift_mm * Twist::Unit(4),
-                                          kNeighbour_px * weak[1], shift_mm * Twist::Unit(3)};
-    const bool doubtful = refined.fit < kFitting * usual_fit_;
     std::vector<Pose> starts;
-    for (std::size_t i = 0; i < motions.size(); ++i) {
-      if (!doubtful && i != frame_number_ % motions.size()) continue;
-      for (const double side : {-1.0, 1.0}) {
-        starts.push_back(filter_.to_object(moved(center, side * motions[i])));
-      }
+    for (std::uint32_t motion = 0; motion < kNeighbourMotions; ++motion) {
+      const bool doubtful = refined.fit < kFitting * usual_fit_;
+      if (!doubtful && motion != frame_number_ % kNeighbourMotions) continue;
+      for (const Pose& start : beside(refined, motion)) starts.push_back(start);
     }
     std::vector<Refiner::Result> others(starts.size());
     Refiner::Result best;  // the refined one first, with as few points as the others
@@ -357,21 +304,83 @@ class UniversalTracker final : public RigidObjectTracker {
     const auto likely = [&](const Refiner::Result& result) {
       return result.fit - strangeness(result);
     };
-    const auto apart_px = [&](const Refiner::Result& result) {
-      const Twist apart = twist_between(center, filter_.to_center(result.camera_from_object));
-      return (apart.head<3>().norm() * mesh().radius_mm() + apart.tail<3>().norm()) / mm_per_px;
-    };
     bool better = false;
     for (const Refiner::Result& other : others) {
-      if (likely(other) <= likely(best) || apart_px(other) < kNeighbourApart_px) continue;
+      if (likely(other) <= likely(best) || same_place(other, refined)) continue;
       best = other;
       better = true;
     }
     if (!better) return std::nullopt;
     best = refiner.refine(best.camera_from_object, best.camera_from_object, kNeighbourReach_px,
                           appearance);
-    if (likely(best) <= likely(refined)) return std::nullopt;
+    if (likely(best) <= likely(refined) + kNeighbourGain) return std::nullopt;
     return best;
+  }
+
+  /// A refined pose on the exact contour, which was drawn there. Views do not tell all false
+  /// bottoms from the true one: a neighbour that the exact contour likes better is drawn, too.
+  Refiner::Result polished(const Refiner::Result& refined, const Appearance& appearance) {
+    const Refiner& refiner = sight_->refiner;
+    ExactContour& exact = *sight_->exact;
+    struct Polished {
+      Refiner::Result result;
+      double likelihood = 0;  ///< by the exact contour
+    };
+    const auto polish = [&](const Refiner::Result& start) -> Polished {
+      const auto result = refiner.polish(start, exact.contour(), exact.feigned_share(), appearance);
+      return {result, likelihood(refiner.examine_in(exact.contour(), result.camera_from_object,
+                                                    appearance))};
+    };
+    // Along one motion while those of better_neighbour() take turns, so that all pairs are tried.
+    const std::array<Pose, 2> starts =
+        beside(refined, frame_number_ / kNeighbourMotions % kNeighbourMotions);
+    std::array<Refiner::Result, 2> others;
+    Polished here;
+    workers_.each(others.size() + 1, 1, [&](std::size_t i) {
+      if (i == 0) {
+        here = polish(refined);
+      } else {
+        others[i - 1] =
+            refiner.refine_in(exact.contour(), starts[i - 1], kNeighbourReach_px, appearance);
+      }
+    });
+    const Refiner::Result* rival = nullptr;
+    double most = here.likelihood;
+    for (const Refiner::Result& other : others) {
+      if (likelihood(other) <= most || same_place(other, here.result)) continue;
+      most = likelihood(other);
+      rival = &other;
+    }
+    if (!rival) return here.result;
+    exact.draw(rival->camera_from_object, workers_);
+    Polished there = polish(*rival);
+    if (there.likelihood <= here.likelihood + kExactGain) return here.result;
+    there.result.support = refiner.examine(there.result.camera_from_object, appearance).support;
+    return there.result;
+  }
+
+  /// Poses on both sides of a refined one. False bottoms lie along the motions that the contour
+  /// shows least (`motion` 0 and 2) and, since either edge of a rim is taken for the other, a few
+  /// pixels aside (1 and 3).
+  std::array<Pose, 2> beside(const Refiner::Result& refined, std::uint32_t motion) const {
+    const Pose center = filter_.to_center(refined.camera_from_object);
+    const Twist step =
+        motion % 2 == 0
+            ? Twist(kNeighbour_px * refined.weak_motions[motion / 2])
+            : Twist(kNeighbourShift_px * mm_per_px(center) * Twist::Unit(motion == 1 ? 4 : 3));
+    return {filter_.to_object(moved(center, -step)), filter_.to_object(moved(center, step))};
+  }
+
+  /// Whether poses are in one basin, as far as that can be told from how near they are.
+  bool same_place(const Refiner::Result& a, const Refiner::Result& b) const {
+    const Pose center = filter_.to_center(a.camera_from_object);
+    const Twist apart = twist_between(center, filter_.to_center(b.camera_from_object));
+    return apart.head<3>().norm() * mesh().radius_mm() + apart.tail<3>().norm() <
+           kNeighbourApart_px * mm_per_px(center);
+  }
+
+  double mm_per_px(const Pose& camera_from_center) const {
+    return std::max(kNearPlane_mm, camera_from_center.translation_mm.z()) / camera().fx_px;
   }
 
   double likelihood(const Refiner::Result& result) const {
@@ -421,8 +430,8 @@ class UniversalTracker final : public RigidObjectTracker {
 
   /// How far the object's edges may be, in the image, from where they are expected.
   double deviation_px() const {
-    const double z_mm = std::max(kNearPlane_mm, expected_.camera_from_center.translation_mm.z());
-    return camera().fx_px / z_mm * (expected_.sigma[5] + expected_.sigma[0] * mesh().radius_mm());
+    return (expected_.sigma[5] + expected_.sigma[0] * mesh().radius_mm()) /
+           mm_per_px(expected_.camera_from_center);
   }
 
   Twist initial_sigma() const {
