@@ -295,6 +295,24 @@ TEST(PolishingAfterRefining, ChangesNothingWithoutAnImage) {
   EXPECT_EQ(after.unseen, before.unseen);
 }
 
+TEST(RefiningInAContourThatWasDrawn, FindsThePoseAndSaysHowWellItFits) {
+  const Pose truth = corner_view();
+  const cv::Mat image = test::photograph(box().model, camera(), truth, 20);
+  Refiner refiner(box().views, camera());
+  refiner.set_image(image, whole(image));
+  ViewPainter painter(box().model, {.threshold = 40}, Shading{}, camera());
+  Workers alone(1);
+  const ModelView drawn = painter.paint_contour(truth, 1000, 0, alone);
+  const Pose start = beside(*box().mesh, truth, {1.5, -1, 2}, {1, -1, 2});
+  const Appearance none(1);
+  const Refiner::Result found = refiner.refine_in(drawn, start, 4, none);
+  EXPECT_LT(center_distance_mm(*box().mesh, found.camera_from_object, truth), 0.3);
+  EXPECT_LT(angle_deg(found.camera_from_object, truth), 0.2);
+  EXPECT_GT(found.fit, 0.9);
+  EXPECT_EQ(refiner.examine_in(drawn, found.camera_from_object, none).fit, found.fit);
+  EXPECT_LT(refiner.examine_in(drawn, start, none).fit, 0.7);
+}
+
 // Named apart from the tests above, which ThreadSanitizer leaves out.
 TEST(ARefinerOfSeveralThreads, GivesTheSamePosesAsOneAfterTheOther) {
   const Pose truth = corner_view();
