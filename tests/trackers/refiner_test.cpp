@@ -311,6 +311,9 @@ TEST(RefiningInAContourThatWasDrawn, FindsThePoseAndSaysHowWellItFits) {
   EXPECT_GT(found.fit, 0.9);
   EXPECT_EQ(refiner.examine_in(drawn, found.camera_from_object, none).fit, found.fit);
   EXPECT_LT(refiner.examine_in(drawn, start, none).fit, 0.7);
+  const Refiner::Result blind = refiner.refine_in(ModelView{}, start, 4, none);
+  EXPECT_EQ(blind.camera_from_object.translation_mm, start.translation_mm) << "no other contour";
+  EXPECT_EQ(blind.fit, 0);
 }
 
 // Named apart from the tests above, which ThreadSanitizer leaves out.
