@@ -15,7 +15,7 @@ namespace anneal6d {
 namespace HWY_NAMESPACE {
 namespace hn = hwy::HWY_NAMESPACE;
 
-using F = hn::CappedTag<float, BendJob::kLongest>;
+using F = hn::CappedTag<float, kLongestVector>;
 using VF = hn::Vec<F>;
 
 void ClearBorder(const BendJob& job, int width, float* picture) {

@@ -4,20 +4,21 @@
 
 #include <cstddef>
 
+#include "vector_width.h"
+
 namespace anneal6d {
 
 /// A picture of depths, and pictures of as many rows and columns of what is found in it.
 struct BendJob {
-  static constexpr int kLongest = 16;    ///< pixels of a vector
   static constexpr int kReach_px = 2;    ///< to both sides, where normals are compared
   static constexpr float kFlat = 0.25F;  ///< rad, less of a turn is not told apart
-  static constexpr int kNarrowest_px = kLongest + 2 * kReach_px;
+  static constexpr int kNarrowest_px = static_cast<int>(kLongestVector) + 2 * kReach_px;
 
-  const float* depth_mm;  ///< 0 outside the object
-  std::ptrdiff_t depth_stride;
-  int columns, rows;     ///< kNarrowest_px at least, both
-  float fx, fy, cx, cy;  ///< (cx, cy) counted from the picture's first pixel
-  float jump_mm;         ///< a larger step between neighbours is no surface
+  const float* depth_mm;        ///< 0 outside the object
+  std::ptrdiff_t depth_stride;  ///< floats from row to row
+  int columns, rows;            ///< kNarrowest_px at least, both
+  float fx, fy, cx, cy;         ///< (cx, cy) counted from the picture's first pixel
+  float jump_mm;                ///< a larger step between neighbours is no surface
   // Out, with rows of `columns`.
   /// x, y, z of the surface's unit normal, camera frame; zero where there is none.
   float* normals[3];
@@ -27,8 +28,9 @@ struct BendJob {
   float* turns;
 };
 
+/// Fills `normals`.
 void find_normals(const BendJob& job);
-/// Needs the normals.
+/// Fills `turns`, from the normals.
 void find_turns(const BendJob& job);
 
 }  // namespace anneal6d

@@ -9,6 +9,7 @@
 #include <opencv2/imgproc.hpp>
 
 #include "anneal6d/framework/shading.h"
+
 namespace anneal6d {
 namespace {
 

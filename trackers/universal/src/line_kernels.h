@@ -5,11 +5,13 @@
 #include <cstddef>
 #include <cstdint>
 
+#include "vector_width.h"
+
 namespace anneal6d {
 
 /// A straight line through a picture of 1 or 3 channels of 8 bits, at least 2x2 pixels.
 struct LineJob {
-  static constexpr std::size_t kPadding = 16;  ///< floats: the longest vector
+  static constexpr std::size_t kPadding = kLongestVector;  ///< floats
 
   const std::uint8_t* data;
   std::ptrdiff_t stride;  ///< bytes from row to row

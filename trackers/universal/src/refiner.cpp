@@ -28,7 +28,7 @@ struct PolishingRound {
   int observed_px;
   std::array<double, 2> reaches_px;
 };
-constexpr std::array kPolishing = {PolishingRound{240, 2, {1.5, 0.75}},
+constexpr std::array kPolishing = {PolishingRound{kAllPoints, 2, {1.5, 0.75}},
                                    PolishingRound{Refiner::kMostPolished, 1, {0.75, 0.375}}};
 // See ContourMatch::expect; contours of views are those of poses a few degrees away.
 constexpr double kFeigned = 0.005;

@@ -5,11 +5,13 @@
 #include <cstddef>
 #include <cstdint>
 
+#include "vector_width.h"
+
 namespace anneal6d {
 
 /// Silhouette points of one pose and the picture of colours that they are looked up in.
 struct ColourJob {
-  static constexpr std::size_t kPadding = 16;  ///< floats: the longest vector
+  static constexpr std::size_t kPadding = kLongestVector;  ///< floats
 
   /// Point, normal, and how far only object (inside) or background (outside) shows along it, all in
   /// the object's frame and millimetres; padded with NaN to whole vectors.

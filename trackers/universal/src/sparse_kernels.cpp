@@ -13,7 +13,7 @@ namespace anneal6d {
 namespace HWY_NAMESPACE {
 namespace hn = hwy::HWY_NAMESPACE;
 
-using F = hn::CappedTag<float, 16>;
+using F = hn::CappedTag<float, kLongestVector>;
 using I = hn::RebindToSigned<F>;
 using U = hn::RebindToUnsigned<F>;
 using VF = hn::Vec<F>;

@@ -5,11 +5,13 @@
 #include <cstddef>
 #include <cstdint>
 
+#include "vector_width.h"
+
 namespace anneal6d {
 
 /// Points of one pose and the edge image they are looked up in.
 struct LookUpJob {
-  const float *x, *y, *z;  ///< object frame, padded with NaN to whole vectors of 16
+  const float *x, *y, *z;  ///< object frame, padded with NaN to whole longest vectors
   std::size_t count;       ///< with the padding
   float rotation[9];       ///< camera_from_object, row-major
   float translation_mm[3];

@@ -283,9 +283,9 @@ class UniversalTracker final : public RigidObjectTracker {
                                                   const Appearance& appearance,
                                                   const std::function<void()>& meanwhile) {
     const Refiner& refiner = sight_->refiner;
+    const bool doubtful = refined.fit < kFitting * usual_fit_;
     std::vector<Pose> starts;
     for (std::uint32_t motion = 0; motion < kNeighbourMotions; ++motion) {
-      const bool doubtful = refined.fit < kFitting * usual_fit_;
       if (!doubtful && motion != frame_number_ % kNeighbourMotions) continue;
       for (const Pose& start : beside(refined, motion)) starts.push_back(start);
     }

@@ -12,6 +12,7 @@
 #include "anneal6d/framework/pose.h"
 #include "anneal6d/framework/shading.h"
 #include "raster_model.h"
+#include "vector_width.h"
 
 namespace anneal6d {
 
@@ -40,7 +41,7 @@ struct ContourSample {
 /// What the object shows to one viewpoint. Both lists are shuffled: any first few entries are
 /// spread over the whole object.
 struct ModelView {
-  static constexpr std::size_t kPadding = 16;  ///< floats: the longest vector
+  static constexpr std::size_t kPadding = kLongestVector;  ///< floats
 
   std::vector<ContourSample> contour;
   /// Pixels of the edge image that the exact renderer makes of this view, as points of the object's

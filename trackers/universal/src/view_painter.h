@@ -27,7 +27,7 @@ class ViewPainter {
   ModelView paint(const Eigen::Vector3d& direction, std::uint32_t seed);
 
   /// Just the contour of the object at a pose, at most so many samples of it; `seed` decides which,
-  /// and their order.
+  /// and their order. `workers` share the work.
   ModelView paint_contour(const Pose& camera_from_object, std::size_t most_samples,
                           std::uint32_t seed, Workers& workers);
 

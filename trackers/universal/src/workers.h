@@ -15,7 +15,7 @@ namespace anneal6d {
 class Workers {
  public:
   /// 0 threads: the caller's own arena, which has all cores unless the caller says otherwise. Loops
-  /// of several `Workers` then find each other's threads awake.
+  /// of several `Workers` then find each other's threads awake. 1: the calling thread alone.
   explicit Workers(int threads) : alone_(threads == 1) {
     if (threads > 1) arena_.emplace(threads);
   }
