@@ -332,9 +332,11 @@ class UniversalTracker final : public RigidObjectTracker {
                                                     appearance))};
     };
     // Along one motion while those of better_neighbour() take turns, so that all pairs are tried.
-    const std::array<Pose, 2> starts =
+    const auto [before, behind] =
         beside(refined, frame_number_ / kNeighbourMotions % kNeighbourMotions);
-    std::array<Refiner::Result, 2> others;
+    const std::array<Pose, 3> starts{before, behind,
+                                     filter_.to_object(expected_.camera_from_center)};
+    std::array<Refiner::Result, 3> others;
     Polished here;
     workers_.each(others.size() + 1, 1, [&](std::size_t i) {
       if (i == 0) {
