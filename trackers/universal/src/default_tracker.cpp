@@ -1,0 +1,340 @@
+// SPDX-License-Identifier: BSD-3-Clause
+// Copyright (c) 2026 The Anneal6D authors
+#include <algorithm>
+#include <array>
+#include <cmath>
+#include <functional>
+#include <numbers>
+#include <optional>
+
+#include "exact_contour.h"
+#include "motion_model.h"
+#include "pose_filter_tracker.h"
+#include "pose_search.h"
+#include "pose_uncertainty.h"
+#include "refiner.h"
+#include "region_cue.h"
+#include "view_store.h"
+
+namespace anneal6d {
+namespace {
+
+constexpr double kDegree = std::numbers::pi / 180.0;
+constexpr double kSure = 0.92;  // of the usual support: there is no need to search
+constexpr double kPoor = 0.85;  // of the usual fit: less is searched once
+// What a second attempt found, by colours, must be confirmed better.
+constexpr double kSecondAttempt = 1.06;
+constexpr double kFitting = 0.94;  // of the usual fit: there is no need to look at all neighbours
+constexpr double kFitRise = 0.3, kFitFall = 0.03;  // of the newest frame in the usual fit
+constexpr double kNeighbour_px = 4.0, kNeighbourShift_px = 3.0;
+constexpr double kNeighbourReach_px = 3.0;
+constexpr double kNeighbourApart_px = 1.0;  // less is the same place
+constexpr std::uint32_t kNeighbourMotions = 4;
+// By how much a neighbour must be likelier, by views and by the exact contour: else noise decides.
+constexpr double kNeighbourGain = 0.006, kExactGain = 0.01;
+constexpr std::uint32_t kPasses = 3;  // of the search, each twice as wide as the one before
+constexpr double kWider = 0.9;        // of what is sure: less lets the search go on, wider
+constexpr double kGain = 0.03;        // in evidence, without which a search was in vain
+constexpr double kRegionWeight = 20;  // of the colours beside the edges, as the rating's c
+constexpr double kFirstSupport = 0.8;
+constexpr double kSupportRise = 0.1, kSupportFall = 0.3;  // the same in the usual support
+constexpr double kLeastReach_px = 6.0, kMostReach_px = 16.0;
+constexpr std::size_t kLargeModel = 40'000;       // triangles, too many to be drawn in every frame
+constexpr double kRight_mm = 10, kRight_deg = 2;  // what quality is the probability of
+
+/// Share of frames with such support beyond chance (1: all that is possible, 0: none) whose pose
+/// was right to 10 mm and 2 degrees, by and large; see README.md, "Quality".
+double quality_of(double support_beyond_chance) {
+  return 0.92 * std::clamp((support_beyond_chance + 0.05) / 0.28, 0.0, 1.0) +
+         0.08 * std::clamp((support_beyond_chance - 0.25) / 0.5, 0.0, 1.0);
+}
+
+/// First the motion model's guess is refined; colours, particles and neighbouring poses may find a
+/// better one, and the contour exactly as it is there has the last word.
+class DefaultTracker final : public PoseFilterTracker {
+ public:
+  DefaultTracker(const TrackerSetup& setup, const UniversalTrackerOptions& options)
+      : DefaultTracker(setup, options, drawing_of(setup, options)) {}
+
+  DefaultTracker(const TrackerSetup& setup, const UniversalTrackerOptions& options,
+                 const ScorerSetup& drawing)
+      : PoseFilterTracker(setup, options, drawing),
+        symmetry_(setup.symmetry),
+        views_(view_model_of(drawing)),
+        refiner_(*views_, setup.camera),
+        region_(*views_, setup.camera, workers_),
+        search_(filter_, refiner_, workers_, {options.particles, options.layers},
+                setup.mesh->radius_mm()),
+        motion_(options.sigma_mm, options.sigma_deg * kDegree) {
+    filter_.set_region_cue(region_);
+    if (setup.mesh->triangles().size() < kLargeModel) {
+      exact_ = std::make_unique<ExactContour>(drawing);
+    }
+  }
+
+ protected:
+  void on_reset(const Pose& camera_from_object) override {
+    PoseFilterTracker::on_reset(camera_from_object);
+    motion_.reset();
+    uncertainty_.reset();
+    appearance_.reset();
+    if (exact_) exact_->reset();
+    usual_support_ = kFirstSupport;
+    usual_fit_ = 0;
+  }
+
+  void on_shown(const cv::Mat& undistorted) override {
+    look(undistorted, center_, kWindow_px);
+    const Pose pose = filter_.to_object(center_);
+    refiner_.teach(pose, *appearance_);
+    const Refiner::Result shown = refiner_.examine(pose, *appearance_);
+    usual_support_ = shown.support;
+    usual_fit_ = shown.fit;
+  }
+
+  void preprocess(const cv::Mat& undistorted) override {
+    image_ = undistorted;
+    expected_ = {moved(center_, motion_.drift()), motion_.sigma()};
+    look(undistorted, expected_.camera_from_center, kWindow_px + 3 * deviation_px());
+  }
+
+  void estimate(TrackResult& result) override {
+    const Pose last = center_;
+    const Appearance& appearance = *appearance_;
+    const Pose guess = filter_.to_object(expected_.camera_from_center);
+    const double reach_px = std::clamp(deviation_px(), kLeastReach_px, kMostReach_px);
+    Refiner::Result best = refiner_.refine(guess, guess, reach_px, appearance);
+    if (!confirmed_as_usual(best)) {
+      // Too far off for edges; colours lead nearer.
+      const Pose nearer = refiner_.approach(guess, appearance);
+      const auto other = refiner_.refine(nearer, guess, reach_px, appearance);
+      if (likelihood(other) > likelihood(best)) best = other;
+      if (!confirmed_as_usual(best, kSecondAttempt)) best = search_around(best, appearance);
+    }
+    const auto draw = [&] {
+      if (exact_) exact_->draw(best.camera_from_object, workers_);
+    };
+    if (const auto better = better_neighbour(best, appearance, draw)) {
+      best = *better;
+      draw();
+    }
+    usual_fit_ += (best.fit > usual_fit_ ? kFitRise : kFitFall) * (best.fit - usual_fit_);
+    usual_support_ += (best.support > usual_support_ ? kSupportRise : kSupportFall) *
+                      (best.support - usual_support_);
+    if (exact_) best = polished(best, appearance);
+    Pose found = filter_.to_center(best.camera_from_object);
+    found.rotation = symmetry_.fold(found.rotation, last.rotation);
+    result.camera_from_object = result.best_camera_from_object = filter_.to_object(found);
+
+    const double chance = refiner_.chance(best.camera_from_object);
+    confirmation_ = quality_of((best.support - chance) / std::max(1e-6, 1.0 - chance));
+    uncertainty_.update(motion_.seen_sigma(), best.unseen);
+    quality_ = confirmation_ * uncertainty_.probability_within(kRight_mm, kRight_deg * kDegree,
+                                                               found.rotation * symmetry_.axis);
+    const bool confirmed = confirms(confirmation_);
+    if (!confirmed && bad_frames() > 0) {
+      // Go on searching around the pose of the first bad frame.
+      motion_.reset();
+      return;
+    }
+    center_ = found;
+    motion_.observe(last, center_);
+    if (confirmed) refiner_.teach(result.camera_from_object, *appearance_);
+  }
+
+  Judgement judge(const TrackResult& /*result*/) override {
+    return end_frame(quality_, confirmation_);
+  }
+
+ private:
+  bool supported_as_usual(const Refiner::Result& result, double demand = 1) const {
+    return result.support >= demand * kSure * usual_support_;
+  }
+
+  bool confirmed_as_usual(const Refiner::Result& result, double demand = 1) const {
+    return supported_as_usual(result, demand) && result.fit >= demand * kPoor * usual_fit_;
+  }
+
+  /// Particles search, wider and wider, for a pose that the image confirms better than the refined
+  /// one. Where even they find none, less is usual from now on: something hides the object.
+  Refiner::Result search_around(const Refiner::Result& refined, const Appearance& appearance) {
+    detect_edges_around(image_, expected_.camera_from_center,
+                        mesh().radius_mm() + 3 * expected_.sigma[5]);
+    region_.set_image(refiner_.picture(), appearance);
+    Refiner::Result best = refined;
+    Expectation wider = expected_;
+    for (std::uint32_t pass = 0; pass < kPasses; ++pass) {
+      if (pass > 0 && supported_as_usual(best, kWider)) break;
+      const double weight = appearance.learned() ? kRegionWeight : 0.0;
+      RandomKey random = key(0);
+      random.frame = frame_number_ * kPasses + pass;
+      const Refiner::Result found =
+          search_.run(wider, {appearance, weight}, random, camera().fx_px);
+      if (likelihood(found) > likelihood(best)) best = found;
+      wider.sigma *= 2.0;
+    }
+    if (likelihood(best) < likelihood(refined) + kGain) {
+      usual_support_ = std::min(usual_support_, best.support);
+      usual_fit_ = std::min(usual_fit_, best.fit);
+    }
+    return best;
+  }
+
+  /// A better pose near it, if there is one: edges side by side, such as the two of a cup's rim,
+  /// make false bottoms. A false bottom stays from frame to frame, so that each frame looks along
+  /// one motion only, unless edges fit less closely than usual. `meanwhile` is called on some
+  /// thread.
+  std::optional<Refiner::Result> better_neighbour(const Refiner::Result& refined,
+                                                  const Appearance& appearance,
+                                                  const std::function<void()>& meanwhile) {
+    const bool doubtful = refined.fit < kFitting * usual_fit_;
+    std::vector<Pose> starts;
+    for (std::uint32_t motion = 0; motion < kNeighbourMotions; ++motion) {
+      if (!doubtful && motion != frame_number_ % kNeighbourMotions) continue;
+      for (const Pose& start : beside(refined, motion)) starts.push_back(start);
+    }
+    std::vector<Refiner::Result> others(starts.size());
+    Refiner::Result best;  // the refined one first, with as few points as the others
+    workers_.each(others.size() + 2, 1, [&](std::size_t i) {
+      if (i == 0) {
+        meanwhile();  // it takes longest
+      } else if (i == 1) {
+        best = refiner_.examine(refined.camera_from_object, appearance, Refiner::Care::quick);
+      } else {
+        others[i - 2] = refiner_.refine(starts[i - 2], starts[i - 2], kNeighbourReach_px,
+                                        appearance, Refiner::Care::quick);
+      }
+    });
+    const auto likely = [&](const Refiner::Result& result) {
+      return result.fit - strangeness(result);
+    };
+    bool better = false;
+    for (const Refiner::Result& other : others) {
+      if (likely(other) <= likely(best) || same_place(other, refined)) continue;
+      best = other;
+      better = true;
+    }
+    if (!better) return std::nullopt;
+    best = refiner_.refine(best.camera_from_object, best.camera_from_object, kNeighbourReach_px,
+                           appearance);
+    if (likely(best) <= likely(refined) + kNeighbourGain) return std::nullopt;
+    return best;
+  }
+
+  /// A refined pose on the exact contour, which was drawn there. Views do not tell all false
+  /// bottoms from the true one: a neighbour that the exact contour likes better is drawn, too.
+  Refiner::Result polished(const Refiner::Result& refined, const Appearance& appearance) {
+    ExactContour& exact = *exact_;
+    struct Polished {
+      Refiner::Result result;
+      double likelihood = 0;  ///< by the exact contour
+    };
+    const auto polish = [&](const Refiner::Result& start) -> Polished {
+      const auto result =
+          refiner_.polish(start, exact.contour(), exact.feigned_share(), appearance);
+      return {result, likelihood(refiner_.examine_in(exact.contour(), result.camera_from_object,
+                                                     appearance))};
+    };
+    // Along one motion while those of better_neighbour() take turns, so that all pairs are tried.
+    const auto [before, behind] =
+        beside(refined, frame_number_ / kNeighbourMotions % kNeighbourMotions);
+    const std::array<Pose, 3> starts{before, behind,
+                                     filter_.to_object(expected_.camera_from_center)};
+    std::array<Refiner::Result, 3> others;
+    Polished here;
+    workers_.each(others.size() + 1, 1, [&](std::size_t i) {
+      if (i == 0) {
+        here = polish(refined);
+      } else {
+        others[i - 1] =
+            refiner_.refine_in(exact.contour(), starts[i - 1], kNeighbourReach_px, appearance);
+      }
+    });
+    const Refiner::Result* rival = nullptr;
+    double most = here.likelihood;
+    for (const Refiner::Result& other : others) {
+      if (likelihood(other) <= most || same_place(other, here.result)) continue;
+      most = likelihood(other);
+      rival = &other;
+    }
+    if (!rival) return here.result;
+    exact.draw(rival->camera_from_object, workers_);
+    Polished there = polish(*rival);
+    if (there.likelihood <= here.likelihood + kExactGain) return here.result;
+    there.result.support = refiner_.examine(there.result.camera_from_object, appearance).support;
+    return there.result;
+  }
+
+  /// Poses on both sides of a refined one. False bottoms lie along the motions that the contour
+  /// shows least (`motion` 0 and 2) and, since either edge of a rim is taken for the other, a few
+  /// pixels aside (1 and 3).
+  std::array<Pose, 2> beside(const Refiner::Result& refined, std::uint32_t motion) const {
+    const Pose center = filter_.to_center(refined.camera_from_object);
+    const Twist step =
+        motion % 2 == 0
+            ? Twist(kNeighbour_px * refined.weak_motions[motion / 2])
+            : Twist(kNeighbourShift_px * mm_per_px(center) * Twist::Unit(motion == 1 ? 4 : 3));
+    return {filter_.to_object(moved(center, -step)), filter_.to_object(moved(center, step))};
+  }
+
+  /// Whether poses are in one basin, as far as that can be told from how near they are.
+  bool same_place(const Refiner::Result& a, const Refiner::Result& b) const {
+    const Pose center = filter_.to_center(a.camera_from_object);
+    const Twist apart = twist_between(center, filter_.to_center(b.camera_from_object));
+    return apart.head<3>().norm() * mesh().radius_mm() + apart.tail<3>().norm() <
+           kNeighbourApart_px * mm_per_px(center);
+  }
+
+  double mm_per_px(const Pose& camera_from_center) const {
+    return std::max(kNearPlane_mm, camera_from_center.translation_mm.z()) / camera().fx_px;
+  }
+
+  double likelihood(const Refiner::Result& result) const {
+    return result.evidence() - strangeness(result);
+  }
+
+  double strangeness(const Refiner::Result& result) const {
+    return expected_.strangeness(filter_.to_center(result.camera_from_object));
+  }
+
+  /// Shows the surroundings of a pose to the refiner_.
+  void look(const cv::Mat& undistorted, const Pose& camera_from_center, double margin_px) {
+    const int channels = undistorted.channels();
+    if (!appearance_ || appearance_->channels() != channels) {
+      appearance_.emplace(channels);
+    }
+    refiner_.set_image(undistorted, window(camera_from_center, mesh().radius_mm(), margin_px));
+  }
+
+  /// How far the object's edges may be, in the image, from where they are expected.
+  double deviation_px() const {
+    return (expected_.sigma[5] + expected_.sigma[0] * mesh().radius_mm()) /
+           mm_per_px(expected_.camera_from_center);
+  }
+
+  Symmetry symmetry_;
+  std::shared_ptr<const ViewModel> views_;
+  Refiner refiner_;
+  RegionCue region_;
+  PoseSearch search_;
+  std::unique_ptr<ExactContour> exact_;  ///< null for very large models
+  MotionModel motion_;
+  PoseUncertainty uncertainty_;
+  std::optional<Appearance> appearance_;  ///< for as many channels as the frames have
+
+  Expectation expected_;
+  /// Of the last estimate: how far the image confirms it, and that times the chance that it did not
+  /// move away unseen.
+  double confirmation_ = 0, quality_ = 0;
+  double usual_support_ = 0, usual_fit_ = 0;  ///< of estimates lately
+  cv::Mat image_;
+};
+
+}  // namespace
+
+std::unique_ptr<RigidObjectTracker> make_default_tracker(const TrackerSetup& setup,
+                                                         const UniversalTrackerOptions& options) {
+  return std::make_unique<DefaultTracker>(setup, options);
+}
+
+}  // namespace anneal6d
