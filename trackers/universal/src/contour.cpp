@@ -248,25 +248,30 @@ void ContourExtractor::add_bends(const View& view, const std::vector<SurfaceBend
 
 void ContourExtractor::add_texture_edges(const View& view, double spacing_px,
                                          std::vector<ContourPoint>& points) {
-  const auto squared_magnitude = [&](int x, int y) {
-    const int u = along_x_.at<short>(y, x), v = along_y_.at<short>(y, x);
-    return u * u + v * v;
-  };
+  squared_.create(along_x_.size(), CV_32SC1);
+  for (int y = 0; y < view.region.height; ++y) {
+    const auto *const u = along_x_.ptr<short>(y), *const v = along_y_.ptr<short>(y);
+    auto* const squared = squared_.ptr<int>(y);
+    for (int x = 0; x < view.region.width; ++x) squared[x] = u[x] * u[x] + v[x] * v[x];
+  }
+  const std::ptrdiff_t below = static_cast<std::ptrdiff_t>(squared_.step1());
   for (int y = 2; y < view.region.height - 2; ++y) {
+    const auto *const u = along_x_.ptr<short>(y), *const v = along_y_.ptr<short>(y);
     for (int x = 2; x < view.region.width - 2; ++x) {
-      if (squared_magnitude(x, y) < kTextureGradient * kTextureGradient) continue;
+      const int* const squared = squared_.ptr<int>(y) + x;
+      if (*squared < kTextureGradient * kTextureGradient) continue;
       // Ridge of the gradient along the stronger axis, then its place between pixels.
-      const Eigen::Vector2d gradient(along_x_.at<short>(y, x), along_y_.at<short>(y, x));
-      const int sx = std::abs(gradient.x()) >= std::abs(gradient.y()) ? 1 : 0, sy = 1 - sx;
-      const double here = gradient.norm();
-      const double before = std::sqrt(squared_magnitude(x - sx, y - sy));
-      const double after = std::sqrt(squared_magnitude(x + sx, y + sy));
-      if (here < before || here <= after) continue;
+      const int sx = std::abs(u[x]) >= std::abs(v[x]) ? 1 : 0, sy = 1 - sx;
+      const std::ptrdiff_t next = sx ? 1 : below;
+      if (*squared < squared[-next] || *squared <= squared[next]) continue;
       // Next to a depth edge the picture shows the silhouette, which the mesh gives better.
       if (near_depth_edge(view.depth_mm, x, y, kSilhouetteDepth * diameter_mm_)) continue;
+      const double before = std::sqrt(squared[-next]), after = std::sqrt(squared[next]);
+      const double here = std::sqrt(*squared);
       const double offset = 0.5 * (before - after) / (before - 2 * here + after);
       const Eigen::Vector2d image_px(view.region.x + x + sx * offset,
                                      view.region.y + y + sy * offset);
+      const Eigen::Vector2d gradient(u[x], v[x]);
       add_surface_point(view, image_px, view.depth_mm.at<float>(y, x), spacing_px,
                         {.object_mm = {}, .normal = gradient / here, .texture = true}, points);
     }

@@ -81,6 +81,7 @@ class ContourExtractor {
   std::vector<std::uint8_t> cells_;  ///< where points were placed already
   cv::Mat drawn_;                    ///< pixels of the region that visible edges of the mesh cross
   cv::Mat along_x_, along_y_;        ///< gradients of the brightness
+  cv::Mat squared_;                  ///< and their squared lengths
   SurfaceBends bends_;
 };
 
