@@ -82,7 +82,7 @@ void track(const Arguments& arguments) {
   setup.scorers = anneal6d::cpu_scorer_plugins();
   const auto tracker =
       anneal6d::make_plugin(anneal6d::tracker_plugins(), "tracker", "universal", setup);
-  tracker->reset(anneal6d::parse_pose(arguments.init));
+  const anneal6d::Pose start = anneal6d::parse_pose(arguments.init);
 
   const bool has_display = is_set("DISPLAY") || is_set("WAYLAND_DISPLAY");
   std::unique_ptr<anneal6d::OverlayPainter> painter;
@@ -95,6 +95,9 @@ void track(const Arguments& arguments) {
   const auto source = anneal6d::open_dc1394_camera(
       arguments.guid, anneal6d::Dc1394Options::from(arguments.settings), camera);
   std::fprintf(stderr, "%s\n", source->description().c_str());
+  const auto first = source->next();
+  if (!first) return;
+  tracker->reset(start, *first);  // it learns there what object and background look like
   while (!ended) {
     const auto frame = source->next();
     if (!frame) return;

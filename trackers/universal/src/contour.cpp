@@ -9,6 +9,7 @@
 #include <opencv2/imgproc.hpp>
 
 #include "anneal6d/framework/shading.h"
+#include "ridge.h"
 
 namespace anneal6d {
 namespace {
@@ -268,7 +269,7 @@ void ContourExtractor::add_texture_edges(const View& view, double spacing_px,
       if (near_depth_edge(view.depth_mm, x, y, kSilhouetteDepth * diameter_mm_)) continue;
       const double before = std::sqrt(squared[-next]), after = std::sqrt(squared[next]);
       const double here = std::sqrt(*squared);
-      const double offset = 0.5 * (before - after) / (before - 2 * here + after);
+      const double offset = ridge_offset(before, here, after);
       const Eigen::Vector2d image_px(view.region.x + x + sx * offset,
                                      view.region.y + y + sy * offset);
       const Eigen::Vector2d gradient(u[x], v[x]);

@@ -6,6 +6,7 @@
 #include <cmath>
 
 #include "anneal6d/framework/srgb.h"
+#include "ridge.h"
 
 namespace anneal6d {
 namespace {
@@ -109,9 +110,7 @@ float EdgeLine::score(int i) const {
 }
 
 float EdgeLine::between(int i) const {
-  const float before = slope_[i - 1], after = slope_[i + 1];
-  return static_cast<float>(i - middle_) +
-         0.5F * (before - after) / (before - 2 * slope_[i] + after);
+  return static_cast<float>(i - middle_) + ridge_offset(slope_[i - 1], slope_[i], slope_[i + 1]);
 }
 
 float EdgeLine::encoding_shift(int i) const {

@@ -6,6 +6,7 @@
 #include <cmath>
 
 #include "bend_kernels.h"
+#include "ridge.h"
 
 namespace anneal6d {
 namespace {
@@ -67,7 +68,7 @@ const std::vector<SurfaceBends::Bend>& SurfaceBends::find(const cv::Mat& depth_m
       };
       const float left = beside(-kBeside_px), right = beside(kBeside_px);
       if (left == 0 || right == 0 || std::max(left, right) > kBesideShare * here) continue;
-      const double offset = 0.5 * (before - after) / (before - 2 * here + after);
+      const double offset = ridge_offset(before, here, after);
       bends_.push_back({{x + sx * offset, y + sy * offset}, across});
     }
   }
