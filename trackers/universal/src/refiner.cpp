@@ -105,7 +105,7 @@ Refiner::Result Refiner::refine_in(const ModelView& view, const Pose& start_came
   contour.expect(to_center(start_camera_from_object), kFeigned);
   const Pose pose =
       follow(contour, &view, start_camera_from_object, reach_px, appearance, Care::quick);
-  return examine(contour, view, pose, appearance, kAllPoints);
+  return examine(contour, view, pose, appearance, view.contour.size());
 }
 
 Pose Refiner::approach(const Pose& start_camera_from_object, const Appearance& appearance) const {
@@ -154,7 +154,7 @@ Refiner::Result Refiner::examine(const Pose& camera_from_object, const Appearanc
 Refiner::Result Refiner::examine_in(const ModelView& view, const Pose& camera_from_object,
                                     const Appearance& appearance) const {
   ContourMatch contour = match();
-  return examine(contour, view, camera_from_object, appearance, kAllPoints);
+  return examine(contour, view, camera_from_object, appearance, view.contour.size());
 }
 
 Refiner::Result Refiner::examine(ContourMatch& contour, const ModelView& view,

@@ -53,7 +53,7 @@ class Refiner {
                 double reach_px, const Appearance& appearance, Care care = Care::full) const;
 
   /// The same, quick, with the contour of `view`, drawn at a pose nearby, instead of those of the
-  /// model's views; examined with as many points as a full refinement.
+  /// model's views; examined with all of it.
   Result refine_in(const ModelView& view, const Pose& start_camera_from_object, double reach_px,
                    const Appearance& appearance) const;
 
@@ -73,7 +73,7 @@ class Refiner {
   /// How well the image confirms a pose.
   Result examine(const Pose& camera_from_object, const Appearance& appearance,
                  Care care = Care::full) const;
-  /// The same with a contour that was drawn at the pose or nearby.
+  /// The same with all of a contour that was drawn at the pose or nearby.
   Result examine_in(const ModelView& view, const Pose& camera_from_object,
                     const Appearance& appearance) const;
 
