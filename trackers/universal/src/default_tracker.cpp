@@ -30,6 +30,10 @@ constexpr double kNeighbour_px = 4.0, kNeighbourShift_px = 3.0;
 constexpr double kNeighbourReach_px = 3.0;
 constexpr double kNeighbourApart_px = 1.0;  // less is the same place
 constexpr std::uint32_t kNeighbourMotions = 4;
+// Of the weakest motion that edges leave open: more, and the exact contour looks along it in every
+// frame, so many steps far.
+constexpr double kHardlySeen = 0.3;
+constexpr std::array kBlindSteps = {1.0, 2.0};
 // By how much a neighbour must be likelier, by views and by the exact contour: else noise decides.
 constexpr double kNeighbourGain = 0.006, kExactGain = 0.01;
 constexpr std::uint32_t kPasses = 3;  // of the search, each twice as wide as the one before
@@ -235,12 +239,18 @@ class DefaultTracker final : public PoseFilterTracker {
       return {result, likelihood(refiner_.examine_in(exact.contour(), result.camera_from_object,
                                                      appearance))};
     };
+    std::vector<Pose> starts{filter_.to_object(expected_.camera_from_center)};
+    const auto look_along = [&](std::uint32_t motion, double steps) {
+      for (const Pose& start : beside(refined, motion, steps)) starts.push_back(start);
+    };
     // Along one motion while those of better_neighbour() take turns, so that all pairs are tried.
-    const auto [before, behind] =
-        beside(refined, frame_number_ / kNeighbourMotions % kNeighbourMotions);
-    const std::array<Pose, 3> starts{before, behind,
-                                     filter_.to_object(expected_.camera_from_center)};
-    std::array<Refiner::Result, 3> others;
+    look_along(frame_number_ / kNeighbourMotions % kNeighbourMotions, 1.0);
+    // The little that shows a mug's turn while its handle is hidden adds up over frames. The turn
+    // of a body of revolution does not matter.
+    if (symmetry_.axis.isZero() && unseen_share(refined) > kHardlySeen) {
+      for (const double steps : kBlindSteps) look_along(0, steps);
+    }
+    std::vector<Refiner::Result> others(starts.size());
     Polished here;
     workers_.each(others.size() + 1, 1, [&](std::size_t i) {
       if (i == 0) {
@@ -268,21 +278,33 @@ class DefaultTracker final : public PoseFilterTracker {
   /// Poses on both sides of a refined one. False bottoms lie along the motions that the contour
   /// shows least (`motion` 0 and 2) and, since either edge of a rim is taken for the other, a few
   /// pixels aside (1 and 3).
-  std::array<Pose, 2> beside(const Refiner::Result& refined, std::uint32_t motion) const {
+  std::array<Pose, 2> beside(const Refiner::Result& refined, std::uint32_t motion,
+                             double steps = 1.0) const {
     const Pose center = filter_.to_center(refined.camera_from_object);
-    const Twist step =
-        motion % 2 == 0
-            ? Twist(kNeighbour_px * refined.weak_motions[motion / 2])
-            : Twist(kNeighbourShift_px * mm_per_px(center) * Twist::Unit(motion == 1 ? 4 : 3));
+    const Twist step = motion % 2 == 0
+                           ? Twist(kNeighbour_px * steps * refined.weak_motions[motion / 2])
+                           : Twist(kNeighbourShift_px * steps * mm_per_px(center) *
+                                   Twist::Unit(motion == 1 ? 4 : 3));
     return {filter_.to_object(moved(center, -step)), filter_.to_object(moved(center, step))};
+  }
+
+  /// How much of the weakest motion edges leave open, 0..1.
+  double unseen_share(const Refiner::Result& refined) const {
+    const Twist& weakest = refined.weak_motions[0];
+    const Twist left = refined.unseen * weakest;
+    return size_mm(left) / std::max(1e-9, size_mm(weakest));
+  }
+
+  /// How far a motion moves the object's points, by and large.
+  double size_mm(const Twist& twist) const {
+    return twist.head<3>().norm() * mesh().radius_mm() + twist.tail<3>().norm();
   }
 
   /// Whether poses are in one basin, as far as that can be told from how near they are.
   bool same_place(const Refiner::Result& a, const Refiner::Result& b) const {
     const Pose center = filter_.to_center(a.camera_from_object);
     const Twist apart = twist_between(center, filter_.to_center(b.camera_from_object));
-    return apart.head<3>().norm() * mesh().radius_mm() + apart.tail<3>().norm() <
-           kNeighbourApart_px * mm_per_px(center);
+    return size_mm(apart) < kNeighbourApart_px * mm_per_px(center);
   }
 
   double mm_per_px(const Pose& camera_from_center) const {
