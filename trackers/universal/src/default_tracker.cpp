@@ -6,6 +6,7 @@
 #include <functional>
 #include <numbers>
 #include <optional>
+#include <vector>
 
 #include "exact_contour.h"
 #include "motion_model.h"
@@ -277,7 +278,7 @@ class DefaultTracker final : public PoseFilterTracker {
 
   /// Poses on both sides of a refined one. False bottoms lie along the motions that the contour
   /// shows least (`motion` 0 and 2) and, since either edge of a rim is taken for the other, a few
-  /// pixels aside (1 and 3).
+  /// pixels aside (1 and 3); so many steps away.
   std::array<Pose, 2> beside(const Refiner::Result& refined, std::uint32_t motion,
                              double steps = 1.0) const {
     const Pose center = filter_.to_center(refined.camera_from_object);

@@ -17,9 +17,8 @@
 namespace anneal6d {
 
 enum class UniversalMode {
-  /// Algorithms 1-5 as the thesis has them: multinomial draw, noise narrowed by the rating,
-  /// estimate
-  /// the weighted mean.
+  /// Algorithms 1-5 as the thesis has them: multinomial draw, noise narrowed by the rating, the
+  /// estimate the weighted mean.
   thesis,
   /// A motion model that learns, a refinement of what it expects by edges and colours, and, where
   /// the image does not confirm that, the same filter with systematic resampling, noise narrowed by
@@ -68,8 +67,8 @@ struct UniversalTrackerOptions {
   void validate() const;
 };
 
-/// Follows a rigid object of any shape: particles propose poses, rendered edges decide (thesis ch.
-/// 4).
+/// Follows a rigid object of any shape: particles propose poses, rendered edges decide (thesis,
+/// chapter 4).
 std::unique_ptr<RigidObjectTracker> make_universal_tracker(const TrackerSetup& setup);
 
 }  // namespace anneal6d
