@@ -4,7 +4,6 @@
 #include <array>
 #include <cmath>
 #include <functional>
-#include <numbers>
 #include <optional>
 #include <vector>
 
@@ -20,7 +19,6 @@
 namespace anneal6d {
 namespace {
 
-constexpr double kDegree = std::numbers::pi / 180.0;
 constexpr double kSure = 0.92;  // of the usual support: there is no need to search
 constexpr double kPoor = 0.85;  // of the usual fit: less is searched once
 // What a second attempt found, by colours, must be confirmed better.
@@ -244,13 +242,15 @@ class DefaultTracker final : public PoseFilterTracker {
     const auto look_along = [&](std::uint32_t motion, double steps) {
       for (const Pose& start : beside(refined, motion, steps)) starts.push_back(start);
     };
-    // Along one motion while those of better_neighbour() take turns, so that all pairs are tried.
-    look_along(frame_number_ / kNeighbourMotions % kNeighbourMotions, 1.0);
     // The little that shows a mug's turn while its handle is hidden adds up over frames. The turn
     // of a body of revolution does not matter.
-    if (symmetry_.axis.isZero() && unseen_share(refined) > kHardlySeen) {
+    const bool blind = symmetry_.axis.isZero() && unseen_share(refined) > kHardlySeen;
+    if (blind) {
       for (const double steps : kBlindSteps) look_along(0, steps);
     }
+    // Along one motion while those of better_neighbour() take turns, so that all pairs are tried.
+    const std::uint32_t motion = frame_number_ / kNeighbourMotions % kNeighbourMotions;
+    if (!blind || motion != 0) look_along(motion, 1.0);
     std::vector<Refiner::Result> others(starts.size());
     Polished here;
     workers_.each(others.size() + 1, 1, [&](std::size_t i) {
@@ -292,20 +292,16 @@ class DefaultTracker final : public PoseFilterTracker {
   /// How much of the weakest motion edges leave open, 0..1.
   double unseen_share(const Refiner::Result& refined) const {
     const Twist& weakest = refined.weak_motions[0];
-    const Twist left = refined.unseen * weakest;
-    return size_mm(left) / std::max(1e-9, size_mm(weakest));
-  }
-
-  /// How far a motion moves the object's points, by and large.
-  double size_mm(const Twist& twist) const {
-    return twist.head<3>().norm() * mesh().radius_mm() + twist.tail<3>().norm();
+    const double radius_mm = mesh().radius_mm();
+    return displacement_mm(refined.unseen * weakest, radius_mm) /
+           std::max(1e-9, displacement_mm(weakest, radius_mm));
   }
 
   /// Whether poses are in one basin, as far as that can be told from how near they are.
   bool same_place(const Refiner::Result& a, const Refiner::Result& b) const {
     const Pose center = filter_.to_center(a.camera_from_object);
     const Twist apart = twist_between(center, filter_.to_center(b.camera_from_object));
-    return size_mm(apart) < kNeighbourApart_px * mm_per_px(center);
+    return displacement_mm(apart, mesh().radius_mm()) < kNeighbourApart_px * mm_per_px(center);
   }
 
   double mm_per_px(const Pose& camera_from_center) const {
@@ -320,7 +316,7 @@ class DefaultTracker final : public PoseFilterTracker {
     return expected_.strangeness(filter_.to_center(result.camera_from_object));
   }
 
-  /// Shows the surroundings of a pose to the refiner_.
+  /// Shows the surroundings of a pose to the refiner.
   void look(const cv::Mat& undistorted, const Pose& camera_from_center, double margin_px) {
     const int channels = undistorted.channels();
     if (!appearance_ || appearance_->channels() != channels) {

@@ -4,6 +4,7 @@
 
 #include <cstdint>
 #include <memory>
+#include <numbers>
 #include <opencv2/core/mat.hpp>
 
 #include "anneal6d/framework/edge_detector.h"
@@ -51,7 +52,8 @@ class PoseFilterTracker : public RigidObjectTracker {
     return {options_.seed, frame_number_, static_cast<std::uint32_t>(layer), 0};
   }
 
-  static constexpr double kWindow_px = 30.0;  ///< looked at around the object
+  static constexpr double kWindow_px = 30.0;                   ///< looked at around the object
+  static constexpr double kDegree = std::numbers::pi / 180.0;  ///< rad
 
   UniversalTrackerOptions options_;
   std::unique_ptr<PoseScorer> scorer_;

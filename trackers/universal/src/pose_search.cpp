@@ -80,8 +80,8 @@ void PoseSearch::collect_starts() {
   for (const std::size_t index : order_) {
     if (starts_.size() == kStarts) break;
     const bool near = std::any_of(starts_.begin(), starts_.end(), [&](const Pose& other) {
-      const Twist apart = twist_between(other, states[index]);
-      return apart.head<3>().norm() + apart.tail<3>().norm() / radius_mm_ < kApart_rad;
+      return displacement_mm(twist_between(other, states[index]), radius_mm_) <
+             kApart_rad * radius_mm_;
     });
     if (!near) starts_.push_back(states[index]);
   }

@@ -2,7 +2,6 @@
 // Copyright (c) 2026 The Anneal6D authors
 #include <algorithm>
 #include <cmath>
-#include <numbers>
 #include <opencv2/core.hpp>
 
 #include "anneal6d/framework/annealing.h"
@@ -11,7 +10,6 @@
 namespace anneal6d {
 namespace {
 
-constexpr double kDegree = std::numbers::pi / 180.0;
 constexpr double kFarthest = 4;  // of a particle, in standard deviations
 
 /// Algorithms 1-5 of the thesis with the annealing of 4.1.2.

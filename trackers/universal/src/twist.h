@@ -25,4 +25,10 @@ inline Twist twist_between(const Pose& from, const Pose& to) {
   return twist;
 }
 
+/// How far a motion moves the points of an object of that radius about the moving frame's origin,
+/// by and large, mm.
+inline double displacement_mm(const Twist& twist, double radius_mm) {
+  return twist.head<3>().norm() * radius_mm + twist.tail<3>().norm();
+}
+
 }  // namespace anneal6d
