@@ -25,7 +25,7 @@ const Refiner::Result& refined_cylinder() {
     const CameraModel camera = test::small_camera();
     const ViewModel views = test::views_near(model, oblique());
     const cv::Mat image = test::photograph(model, camera, oblique(), 20, 1.0);
-    Refiner refiner(views, camera);
+    Refiner refiner(views, camera, test::workers());
     refiner.set_image(image, {0, 0, image.cols, image.rows});
     const Pose start = test::beside(*model.mesh, oblique(), {0.5, -0.5, 0}, {0.5, -0.5, 2});
     return refiner.refine(start, start, 8, Appearance(1));

@@ -11,7 +11,9 @@
 #include <opencv2/core.hpp>
 #include <vector>
 
+#include "appearance.h"
 #include "instruction_sets.h"
+#include "smooth_picture.h"
 
 namespace anneal6d {
 namespace {
@@ -37,56 +39,147 @@ cv::Mat tight_picture(std::vector<std::uint8_t>& bytes, int channels) {
   return {17, 23, CV_8UC(channels), bytes.data()};
 }
 
-class SampledLine : public testing::TestWithParam<int> {};
+/// Lines in all directions, over the border, too.
+struct Lines {
+  static constexpr std::size_t kCount = 37;
+  using Row = std::array<float, kCount + LineJob::kPadding>;
+  Row x, y, normal_x, normal_y, inside_px, outside_px, polarity;
 
-TEST_P(SampledLine, InterpolatesBetweenPixelsStaysInThePictureAndHasItsSlopes) {
+  Lines() {
+    cv::RNG random(7);
+    for (std::size_t i = 0; i < x.size(); ++i) {
+      const double angle = random.uniform(0.0, 6.28);
+      x[i] = random.uniform(-3.0F, 26.0F);
+      y[i] = random.uniform(-3.0F, 20.0F);
+      normal_x[i] = static_cast<float>(std::cos(angle));
+      normal_y[i] = static_cast<float>(std::sin(angle));
+      inside_px[i] = random.uniform(0, 3) == 0 ? -1.0F : random.uniform(0.0F, 16.0F);
+      outside_px[i] = random.uniform(0.0F, 16.0F);
+      polarity[i] = static_cast<float>(random.uniform(-1, 2));
+    }
+  }
+
+  LineJob job(const cv::Mat& picture, int reach_px) const {
+    LineJob job = lines_through(picture, reach_px);
+    job.count = kCount;
+    job.x = x.data();
+    job.y = y.data();
+    job.normal_x = normal_x.data();
+    job.normal_y = normal_y.data();
+    job.inside_px = inside_px.data();
+    job.outside_px = outside_px.data();
+    job.polarity = polarity.data();
+    return job;
+  }
+
+  /// Just one of them.
+  LineJob job(const cv::Mat& picture, int reach_px, std::size_t line) const {
+    LineJob one = job(picture, reach_px);
+    one.count = 1;
+    for (const float** row : {&one.x, &one.y, &one.normal_x, &one.normal_y, &one.inside_px,
+                              &one.outside_px, &one.polarity}) {
+      *row += line;
+    }
+    return one;
+  }
+};
+
+class SampledLines : public testing::TestWithParam<int> {};
+
+TEST_P(SampledLines, InterpolateBetweenPixelsStayInThePictureAndHaveItsSlopes) {
   std::vector<std::uint8_t> bytes;
   const cv::Mat picture = tight_picture(bytes, GetParam());
-  constexpr int kCount = 37;
+  const Lines lines;
+  constexpr int kReach_px = 13;
+  constexpr int kMiddle = kReach_px + kLineMargin;
   for (const std::int64_t target : test::instruction_sets()) {
     const test::OnInstructionSet on(target);
     SCOPED_TRACE(hwy::TargetName(target));
-    for (const auto& [x, y, step_x, step_y] : {std::array{3.3F, 2.7F, 0.5F, 0.3F},
-                                               {-9.5F, 8.25F, 1.0F, 0.0F},
-                                               {30.0F, 25.0F, -0.8F, -0.6F},
-                                               {11.0F, -20.0F, 0.0F, 1.0F},
-                                               {22.0F, 16.0F, 0.6F, 0.8F}}) {
-      std::array<std::array<float, kCount + LineJob::kPadding>, 3> grey;
-      std::array<float, kCount + LineJob::kPadding> slope;
-      sample_line({.data = picture.data,
-                   .stride = static_cast<std::ptrdiff_t>(picture.step[0]),
-                   .columns = picture.cols,
-                   .rows = picture.rows,
-                   .channels = picture.channels(),
-                   .x = x,
-                   .y = y,
-                   .step_x = step_x,
-                   .step_y = step_y,
-                   .count = kCount,
-                   .grey = {grey[0].data(), grey[1].data(), grey[2].data()},
-                   .slope = slope.data()});
-      for (int channel = 0; channel < picture.channels(); ++channel) {
-        for (std::size_t i = 0; i < kCount; ++i) {
-          const double along = static_cast<double>(i);
-          const double expected =
-              interpolated(picture, channel, x + along * step_x, y + along * step_y);
-          EXPECT_NEAR(grey[static_cast<std::size_t>(channel)][i], expected, 0.02)
-              << "sample " << i << " from " << x << ", " << y << ", channel " << channel;
-        }
-      }
-      for (std::size_t i = 1; i < kCount - 1; ++i) {
+    for (std::size_t line = 0; line < Lines::kCount; ++line) {
+      std::array<std::vector<float>, 3> grey;
+      for (auto& row : grey) row.resize(kLongestLine * kLongestVector);
+      std::vector<float> slope(kLongestLine * kLongestVector);
+      sample_lines(lines.job(picture, kReach_px, line),
+                   {{grey[0].data(), grey[1].data(), grey[2].data()}, slope.data()});
+      const auto sample = [&](const std::vector<float>& row, int i) {
+        return row[static_cast<std::size_t>(i) * kLongestVector];
+      };
+      for (int i = 0; i <= 2 * kMiddle; ++i) {
+        const double along = i - kMiddle;
         double sum = 0;
         for (int channel = 0; channel < picture.channels(); ++channel) {
-          const auto& values = grey[static_cast<std::size_t>(channel)];
-          sum += std::pow(0.5 * (values[i + 1] - values[i - 1]), 2);
+          const auto& row = grey[static_cast<std::size_t>(channel)];
+          const double expected =
+              interpolated(picture, channel, lines.x[line] + along * lines.normal_x[line],
+                           lines.y[line] + along * lines.normal_y[line]);
+          EXPECT_NEAR(sample(row, i), expected, 0.02)
+              << "sample " << i << " of line " << line << ", channel " << channel;
+          if (i == 0 || i == 2 * kMiddle) continue;
+          sum += std::pow(0.5 * (sample(row, i + 1) - sample(row, i - 1)), 2);
         }
-        EXPECT_NEAR(slope[i], std::sqrt(sum), 1e-3) << "sample " << i << " from " << x << ", " << y;
+        if (i == 0 || i == 2 * kMiddle) continue;
+        EXPECT_NEAR(sample(slope, i), std::sqrt(sum), 1e-3) << "sample " << i << " of " << line;
       }
     }
   }
 }
 
-INSTANTIATE_TEST_SUITE_P(GreyAndColour, SampledLine, testing::Values(1, 3));
+// Vectors of all lengths, the last one not full: a line shows the same alone as beside others.
+TEST_P(SampledLines, ShowTheSameEdgesOnEveryInstructionSetAlone) {
+  std::vector<std::uint8_t> bytes;
+  const cv::Mat picture = tight_picture(bytes, GetParam());
+  Appearance appearance(GetParam());
+  std::vector<std::uint16_t> object, beside;
+  for (std::size_t i = 0; i + 4 < bytes.size(); ++i) {
+    (i % 3 == 0 ? object : beside).push_back(appearance.bin(bytes.data() + i));
+  }
+  appearance.learn(object, beside);
+  const Lines lines;
+  using Row = Lines::Row;
+  struct Rows {
+    std::array<Row, 9> candidates{};
+    std::array<Row, 5> others{};
+  };
+  const auto ask = [&](LineJob job) {
+    job.log_odds = appearance.log_odds();
+    Rows rows;
+    LineCandidates candidates;
+    for (std::size_t k = 0; k < LineJob::kCandidates; ++k) {
+      candidates.offset_px[k] = rows.candidates[3 * k].data();
+      candidates.weight[k] = rows.candidates[3 * k + 1].data();
+      candidates.log_score[k] = rows.candidates[3 * k + 2].data();
+    }
+    find_candidates(job, candidates);
+    find_strongest(job, {rows.others[0].data(), rows.others[1].data(), rows.others[2].data()});
+    find_borders(job, rows.others[3].data(), rows.others[4].data());
+    return rows;
+  };
+  for (const int reach_px : {1, 6, LineJob::kMaxReach_px}) {
+    int edges = 0;
+    for (const std::int64_t target : test::instruction_sets()) {
+      const test::OnInstructionSet on(target);
+      SCOPED_TRACE(hwy::TargetName(target));
+      const Rows all = ask(lines.job(picture, reach_px));
+      int beside_alone = 0;
+      for (std::size_t line = 0; line < Lines::kCount; ++line) {
+        const LineJob one = lines.job(picture, reach_px, line);
+        const Rows alone = ask(one);
+        for (std::size_t row = 0; row < all.candidates.size(); ++row) {
+          EXPECT_EQ(all.candidates[row][line], alone.candidates[row][0]) << row << ", " << line;
+        }
+        for (std::size_t row = 0; row < all.others.size(); ++row) {
+          EXPECT_EQ(all.others[row][line], alone.others[row][0]) << row << ", " << line;
+        }
+        edges += alone.candidates[1][0] > 0;
+        beside_alone += count_edges_beside(one, 1, reach_px);
+      }
+      EXPECT_EQ(count_edges_beside(lines.job(picture, reach_px), 1, reach_px), beside_alone);
+    }
+    EXPECT_GT(edges, 5) << "a picture with edges";
+  }
+}
+
+INSTANTIATE_TEST_SUITE_P(GreyAndColour, SampledLines, testing::Values(1, 3));
 
 }  // namespace
 }  // namespace anneal6d

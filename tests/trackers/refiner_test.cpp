@@ -49,7 +49,7 @@ struct Left {
 };
 Left left_after_refining(const Object& object, const cv::Mat& image, const Pose& truth,
                          const Eigen::Vector3d& turn_deg, const Eigen::Vector3d& shift_mm) {
-  Refiner refiner(object.views, camera());
+  Refiner refiner(object.views, camera(), test::workers());
   refiner.set_image(image, whole(image));
   const auto result =
       refine(refiner, beside(*object.mesh, truth, turn_deg, shift_mm), image.channels());
@@ -139,7 +139,7 @@ TEST(Refining, ReportsNoSupportWhereThereIsNoObject) {
 }
 
 TEST(Refining, KeepsThePoseWhereThereIsNothingToSee) {
-  Refiner refiner(box().views, camera());
+  Refiner refiner(box().views, camera(), test::workers());
   const cv::Mat empty(camera().height_px, camera().width_px, CV_8UC1, cv::Scalar(90));
   for (const Pose& start :
        {corner_view(), Pose{corner_view().rotation, {0, 0, -300}},
@@ -154,7 +154,7 @@ TEST(Refining, KeepsThePoseWhereThereIsNothingToSee) {
 
 TEST(Refining, StaysFiniteOnNoise) {
   const Object torus(test::make_torus(50, 20));
-  Refiner refiner(torus.views, camera());
+  Refiner refiner(torus.views, camera(), test::workers());
   cv::Mat noise(camera().height_px, camera().width_px, CV_8UC1);
   cv::RNG random(2);
   random.fill(noise, cv::RNG::UNIFORM, 0, 256);
@@ -174,7 +174,7 @@ TEST(Refining, StaysFiniteOnNoise) {
 TEST(Refining, LooksAtItsWindowOnly) {
   const Pose truth = corner_view();
   const cv::Mat image = test::photograph(box().model, camera(), truth, 20);
-  Refiner refiner(box().views, camera());
+  Refiner refiner(box().views, camera(), test::workers());
   const Pose start = beside(*box().mesh, truth, {0.5, -0.5, 0.5}, {0.5, 0.5, 2});
   for (const cv::Rect& elsewhere : {cv::Rect(0, 0, 40, 40), cv::Rect(-90, -90, 50, 50),
                                     cv::Rect(5000, 0, 100, 100), cv::Rect()}) {
@@ -194,7 +194,7 @@ TEST(Refining, TakesWhatTheEdgesLeaveOpenFromTheExpectedPose) {
   const Pose truth = test::pose_with_center(
       *bowl.mesh, rotation_from_axis_angle(Eigen::Vector3d::UnitX(), 2.4), {0, 0, 320});
   const cv::Mat image = test::photograph(bowl.model, camera(), truth, 20);
-  Refiner refiner(bowl.views, camera());
+  Refiner refiner(bowl.views, camera(), test::workers());
   refiner.set_image(image, whole(image));
   const Eigen::Quaterniond turn = rotation_from_axis_angle(Eigen::Vector3d::UnitZ(), 0.35);
   const Pose expected{truth.rotation * turn, truth.translation_mm};
@@ -207,7 +207,7 @@ TEST(Refining, TakesWhatTheEdgesLeaveOpenFromTheExpectedPose) {
 TEST(Refining, LearnsTheColoursOnBothSidesOfTheSilhouette) {
   const Pose truth = corner_view();
   const cv::Mat image = test::photograph(box().model, camera(), truth, 20);
-  Refiner refiner(box().views, camera());
+  Refiner refiner(box().views, camera(), test::workers());
   refiner.set_image(image, whole(image));
   Appearance appearance(1);
   refiner.teach(truth, appearance);
@@ -223,7 +223,7 @@ TEST(Refining, LearnsTheColoursOnBothSidesOfTheSilhouette) {
 double left_after_approaching_mm(double shift_mm, bool learned) {
   const Pose truth = corner_view();
   const cv::Mat image = test::photograph(box().model, camera(), truth, 20);
-  Refiner refiner(box().views, camera());
+  Refiner refiner(box().views, camera(), test::workers());
   refiner.set_image(image, whole(image));
   Appearance appearance(1);
   if (learned) refiner.teach(truth, appearance);
@@ -248,7 +248,7 @@ struct Polished {
 };
 Polished polish_beside(const Object& object, const Pose& truth, const Pose& start) {
   const cv::Mat image = test::photograph(object.model, camera(), truth, 20);
-  Refiner refiner(object.views, camera());
+  Refiner refiner(object.views, camera(), test::workers());
   refiner.set_image(image, whole(image));
   ViewPainter painter(object.model, {.threshold = 40}, Shading{}, camera());
   Workers alone(1);
@@ -284,7 +284,7 @@ TEST(PolishingAfterRefining, ReportsWhichMotionsTheExactContourShows) {
 }
 
 TEST(PolishingAfterRefining, ChangesNothingWithoutAnImage) {
-  const Refiner refiner(box().views, camera());
+  const Refiner refiner(box().views, camera(), test::workers());
   ViewPainter painter(box().model, {.threshold = 40}, Shading{}, camera());
   Workers alone(1);
   const Refiner::Result before{.camera_from_object = corner_view(), .support = 0.5};
@@ -298,7 +298,7 @@ TEST(PolishingAfterRefining, ChangesNothingWithoutAnImage) {
 TEST(RefiningInAContourThatWasDrawn, FindsThePoseAndSaysHowWellItFits) {
   const Pose truth = corner_view();
   const cv::Mat image = test::photograph(box().model, camera(), truth, 20);
-  Refiner refiner(box().views, camera());
+  Refiner refiner(box().views, camera(), test::workers());
   refiner.set_image(image, whole(image));
   ViewPainter painter(box().model, {.threshold = 40}, Shading{}, camera());
   Workers alone(1);
@@ -322,7 +322,7 @@ TEST(ARefinerOfSeveralThreads, GivesTheSamePosesAsOneAfterTheOther) {
   const RasterModel model(test::make_box(90, 60, 75), false);
   const ViewModel views = test::views_near(model, truth);
   const cv::Mat image = test::photograph(model, test::small_camera(), truth, 20, 1.0);
-  Refiner refiner(views, test::small_camera());
+  Refiner refiner(views, test::small_camera(), test::workers());
   refiner.set_image(image, whole(image));
   Appearance appearance(1);
   refiner.teach(truth, appearance);

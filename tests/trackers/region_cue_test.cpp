@@ -47,8 +47,8 @@ class ColouredBox : public testing::Test {
   Pose truth_{rotation_from_axis_angle({1, 1, 0}, 0.8), {5, -3, 320}};
   cv::Mat image_;
   Appearance appearance_{3};
-  Refiner refiner_{views(), camera_};
   Workers workers_{1};
+  Refiner refiner_{views(), camera_, workers_};
   RegionCue cue_{views(), camera_, workers_};
 };
 

@@ -15,10 +15,17 @@
 #include "rasterizer.h"
 #include "shapes.h"
 #include "view_painter.h"
+#include "workers.h"
 
 namespace anneal6d::test {
 
 inline constexpr double kDegree = std::numbers::pi / 180.0;
+
+/// The calling thread alone.
+inline Workers& workers() {
+  static Workers alone(1);
+  return alone;
+}
 
 inline CameraModel small_camera() {
   return {.width_px = 320,

@@ -19,7 +19,7 @@ Appearance::Appearance(int channels)
     : channels_(channels),
       object_(channels == 1 ? kGreyLevels : kLevels * kLevels * kLevels),
       beside_(object_.size()),
-      log_odds_(object_.size()) {}
+      log_odds_(object_.size() + 3) {}
 
 void Appearance::learn(const std::vector<std::uint16_t>& object,
                        const std::vector<std::uint16_t>& beside) {

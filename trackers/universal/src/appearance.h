@@ -26,6 +26,8 @@ class Appearance {
   /// Logarithm of how much more likely a colour is on the object than beside it, in steps of
   /// 1/kScale, limited to +-kLimit of them; 0 for colours that were not seen.
   std::int8_t log_odds(std::uint16_t bin) const { return log_odds_[bin]; }
+  /// Those of all bins; four bytes can be read at each.
+  const std::int8_t* log_odds() const { return log_odds_.data(); }
   static constexpr int kScale = 32;
   static constexpr int kLimit = 96;
 

@@ -2,6 +2,8 @@
 // Copyright (c) 2026 The Anneal6D authors
 #include "contour.h"
 
+#include <hwy/cache_control.h>
+
 #include <Eigen/Geometry>
 #include <algorithm>
 #include <cmath>
@@ -22,8 +24,9 @@ constexpr float kClearHeight_mm = 1e-3F;  // of the camera above a face, beyond 
 // Edges between these distances disturb each other; nearer ones are parts of one zigzag.
 constexpr double kCrowdedFrom_px = 1.3;
 constexpr double kCrowdedTo_px = 4.0;
-constexpr int kBendApart_px = 3;      // from edges of the mesh
-constexpr int kTextureGradient = 30;  // Sobel response of a texture edge worth following
+constexpr std::size_t kPrefetched = 6;  // mesh edges ahead
+constexpr int kBendApart_px = 3;        // from edges of the mesh
+constexpr int kTextureGradient = 30;    // Sobel response of a texture edge worth following
 
 float depth_at(const ContourExtractor::View& view, int x, int y) {
   x -= view.region.x;
@@ -138,6 +141,10 @@ void ContourExtractor::add_mesh_edges(const View& view, double spacing_px,
     count += !(both_in_front | both_turned_away);
   }
   for (std::size_t i = 0; i < count; ++i) {
+    // Candidates lie so far apart in memory that the processor does not foresee them.
+    const MeshEdge* const soon = &edges_[candidates_[std::min(i + kPrefetched, count - 1)]];
+    hwy::Prefetch(soon);
+    hwy::Prefetch(&soon->normal_b);
     add_mesh_edge(edges_[candidates_[i]], view, rotation, camera_in_object_mm, spacing_px, points);
   }
   for (ContourPoint& point : points) point.crowded = is_crowded(point, view);

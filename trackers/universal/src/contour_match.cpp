@@ -3,13 +3,18 @@
 #include "contour_match.h"
 
 #include <Eigen/Dense>
+#include <algorithm>
 #include <cmath>
+#include <limits>
+#include <span>
+#include <utility>
 
 #include "anneal6d/framework/shading.h"
 
 namespace anneal6d {
 namespace {
 
+constexpr int kConfirmingLine_px = 4;
 constexpr double kDoubt = 5;  // how much larger feigned shares may be than is assumed for steps
 
 double squared(double x) { return x * x; }
@@ -20,131 +25,138 @@ ContourMatch::ContourMatch(const SmoothPicture& picture, const CameraModel& came
                            const Eigen::Vector3d& center_mm)
     : picture_(picture), camera_(camera), center_mm_(center_mm) {}
 
-void ContourMatch::project(const Pose& camera_from_object, const ModelView& view,
-                           std::size_t most_points) {
-  targets_.clear();
-  const cv::Rect window(picture_.origin, picture_.smooth.size());
-  const Eigen::Matrix3d rotation = camera_from_object.rotation.toRotationMatrix();
-  const Eigen::Vector3d camera_mm = camera_from_object.inverse().translation_mm;
-  const std::size_t count = std::min(most_points, view.contour.size());
-  targets_.reserve(count);
+std::size_t ContourMatch::project(const Pose& camera_from_object, const ModelView& view,
+                                  std::size_t most_points) {
+  const auto samples = std::span(view.contour).first(std::min(most_points, view.contour.size()));
+  reserve(samples.size());
   start_ = {camera_from_object.rotation, camera_from_object * center_mm_};
   motion_.setZero();
-  for (std::size_t i = 0; i < count; ++i) {
-    const ContourSample& sample = view.contour[i];
-    Target target;
-    Eigen::Vector3d object_mm = sample.object_mm.cast<double>();
-    const Eigen::Vector3d normal = sample.normal.cast<double>();
-    // On a round surface the contour slides to where the normal is square to the line of sight.
-    const Eigen::Vector3d sight = (object_mm - camera_mm).normalized();
-    const Eigen::Vector3d turned = (normal - normal.dot(sight) * sight).normalized();
-    object_mm += sample.curve_mm * (turned - normal);
 
-    const Eigen::Vector3d p = rotation * object_mm + camera_from_object.translation_mm;
-    if (p.z() < kNearPlane_mm) continue;
-    target.camera_mm = p;
-    target.image_px = camera_.project(p);
-    if (!(target.image_px.x() > window.x + 1 && target.image_px.y() > window.y + 1 &&
-          target.image_px.x() < window.br().x - 2 && target.image_px.y() < window.br().y - 2)) {
-      continue;
-    }
-    // How the normal looks in the image.
-    const Eigen::Vector3d n = rotation * turned;
-    const Eigen::Vector2d across(camera_.fx_px * (n.x() - p.x() / p.z() * n.z()),
-                                 camera_.fy_px * (n.y() - p.y() / p.z() * n.z()));
-    const double length = across.norm();
-    if (!(length > 1e-9)) continue;
-    target.normal = across / length;
-    const double px_per_mm = length / p.z();
-    target.shift_px = sample.shift_px;
-    target.trust = sample.trust;
-    target.silhouette = sample.silhouette;
-    target.polarity = sample.polarity;
-    target.inside_px = static_cast<float>(sample.inside_mm * px_per_mm);
-    target.outside_px = static_cast<float>(sample.outside_mm * px_per_mm);
-    targets_.push_back(target);
+  ProjectionJob job{.samples = samples,
+                    .rotation = {},
+                    .translation_mm = {},
+                    .eye_mm = {},
+                    .fx = static_cast<float>(camera_.fx_px),
+                    .fy = static_cast<float>(camera_.fy_px),
+                    .cx = static_cast<float>(camera_.cx_px - picture_.origin.x),
+                    .cy = static_cast<float>(camera_.cy_px - picture_.origin.y),
+                    .near_mm = static_cast<float>(kNearPlane_mm),
+                    .last_x = static_cast<float>(picture_.smooth.cols - 2),
+                    .last_y = static_cast<float>(picture_.smooth.rows - 2)};
+  Eigen::Map<Eigen::Matrix<float, 3, 3, Eigen::RowMajor>>(job.rotation.data()) =
+      camera_from_object.rotation.toRotationMatrix().cast<float>();
+  Eigen::Map<Eigen::Vector3f>(job.translation_mm.data()) =
+      camera_from_object.translation_mm.cast<float>();
+  Eigen::Map<Eigen::Vector3f>(job.eye_mm.data()) =
+      camera_from_object.inverse().translation_mm.cast<float>();
+  count_ = project_contour(job, points_);
+  return count_;
+}
+
+void ContourMatch::reserve(std::size_t most_points) {
+  constexpr std::size_t kRows = (sizeof(ContourPoints) + sizeof(LineCandidates)) / sizeof(float*);
+  const std::size_t length = most_points + LineJob::kPadding;
+  if (rows_.size() < kRows * length) rows_.resize(kRows * length);
+  float* next = rows_.data();
+  const auto row = [&] { return std::exchange(next, next + length); };
+  points_ = {row(), row(), row(), row(), row(), row(), row(), row(), row(), row(), row(), row()};
+  for (std::size_t k = 0; k < LineJob::kCandidates; ++k) {
+    candidates_.offset_px[k] = row();
+    candidates_.weight[k] = row();
+    candidates_.log_score[k] = row();
   }
 }
 
+LineJob ContourMatch::lines(int reach_px, const Appearance* appearance) const {
+  LineJob job = lines_through(picture_.smooth, reach_px);
+  job.count = count_;
+  job.x = points_.image_x;
+  job.y = points_.image_y;
+  job.normal_x = points_.normal_x;
+  job.normal_y = points_.normal_y;
+  job.inside_px = points_.inside_px;
+  job.outside_px = points_.outside_px;
+  job.polarity = points_.polarity;
+  if (appearance && appearance->learned()) job.log_odds = appearance->log_odds();
+  return job;
+}
+
+std::size_t ContourMatch::silhouettes() const {
+  return static_cast<std::size_t>(std::count_if(points_.inside_px, points_.inside_px + count_,
+                                                [](float inside_px) { return inside_px >= 0; }));
+}
+
 void ContourMatch::observe(int reach_px, const Appearance& appearance) {
-  std::array<EdgeLine::Edge, kCandidates> edges;
-  for (Target& target : targets_) {
-    EdgeLine line(picture_, target.image_px, target.normal, reach_px);
-    if (target.silhouette) line.compare(appearance, target.inside_px, target.outside_px);
-    line.require(target.polarity);
-    target.candidate_count = line.find(edges);
-    if (target.candidate_count == 0) continue;
-    for (int i = 0; i < target.candidate_count; ++i) {
-      target.candidates[i] = {edges[i].offset_px - target.shift_px, edge_weight(edges[i].strength),
-                              edges[i].score};
-    }
-    differentiate(target);
+  find_candidates(lines(reach_px, &appearance), candidates_);
+  for (float* const offset_px : candidates_.offset_px) {
+    for (std::size_t i = 0; i < count_; ++i) offset_px[i] -= points_.shift_px[i];
   }
 }
 
 void ContourMatch::observe_colours(int reach_px, const Appearance& appearance) {
-  for (Target& target : targets_) {
-    target.candidate_count = 0;
-    if (!target.silhouette) continue;
-    EdgeLine line(picture_, target.image_px, target.normal, reach_px);
-    line.compare(appearance, target.inside_px, target.outside_px);
-    const EdgeLine::Border border = line.border();
-    target.candidate_count = 1;
-    target.candidates[0] = {border.offset_px, 1.0 / (1.0 + border.variance_px2), 1.0};
-    differentiate(target);
+  float* const variance_px2 = candidates_.weight[1];  // there is no second candidate
+  find_borders(lines(reach_px, &appearance), candidates_.offset_px[0], variance_px2);
+  for (std::size_t i = 0; i < count_; ++i) {
+    const bool silhouette = points_.inside_px[i] >= 0;
+    candidates_.weight[0][i] = silhouette ? 1.0F / (1.0F + variance_px2[i]) : 0.0F;
+    candidates_.log_score[0][i] = 0;
+    for (std::size_t k = 1; k < LineJob::kCandidates; ++k) {
+      candidates_.log_score[k][i] = -std::numeric_limits<float>::max();
+    }
   }
 }
 
-void ContourMatch::differentiate(Target& target) const {
-  // d(image)/d(point), then d(point)/d(twist) about the object's centre.
-  const Eigen::Vector3d& p = target.camera_mm;
-  const Eigen::Vector3d arm = p - start_.translation_mm;
-  const double fx = camera_.fx_px / p.z(), fy = camera_.fy_px / p.z();
-  Twist along_x, along_y;
-  const Eigen::Vector3d x_gradient(fx, 0, -fx * p.x() / p.z());
-  const Eigen::Vector3d y_gradient(0, fy, -fy * p.y() / p.z());
-  along_x << arm.cross(x_gradient), x_gradient;
-  along_y << arm.cross(y_gradient), y_gradient;
-  target.jacobian = target.normal.x() * along_x + target.normal.y() * along_y;
-  target.sweep = along_x.cwiseAbs2() + along_y.cwiseAbs2();
+ContourMatch::Confirmation ContourMatch::confirm(double reach_px, double fit_px,
+                                                 const Appearance& appearance) {
+  if (count_ == 0) return {};
+  const LineEdges edges = {candidates_.offset_px[0], candidates_.weight[0], candidates_.weight[1]};
+  find_strongest(lines(kConfirmingLine_px, &appearance), edges);
+  Confirmation sum;
+  for (std::size_t i = 0; i < count_; ++i) {
+    const double away_px = std::abs(edges.offset_px[i] - points_.shift_px[i]);
+    if (edges.strength[i] <= 0 || away_px >= reach_px) continue;
+    sum.support += edges.agreement[i];
+    sum.fit += edges.agreement[i] * std::exp(-0.5 * squared(away_px / fit_px));
+  }
+  const auto count = static_cast<double>(count_);
+  return {sum.support / count, sum.fit / count};
+}
+
+double ContourMatch::edges_beside(int from_px, int to_px) const {
+  if (count_ == 0) return 0;
+  const int hits = count_edges_beside(lines(to_px, nullptr), from_px, to_px);
+  return 0.5 * hits / static_cast<double>(count_);
 }
 
 void ContourMatch::step(double reach_px) {
-  const double cutoff_px = reach_px + 0.5;
-  Matrix6 normal_matrix = Matrix6::Zero();
-  Twist right_side = Twist::Zero();
-  Twist sweep = Twist::Constant(1e-12);
-  double whole_weight = 0;
-  for (const Target& target : targets_) {
-    if (target.candidate_count == 0) continue;
-    const double moved_px = target.jacobian.dot(motion_);
-    const Candidate* best = &target.candidates[0];
-    double residual_px = best->offset_px - moved_px;
-    if (target.candidate_count > 1) {
-      double best_score = -1;
-      for (int i = 0; i < target.candidate_count; ++i) {
-        const Candidate& candidate = target.candidates[i];
-        const double distance_px = candidate.offset_px - moved_px;
-        const double score = candidate.score * std::exp(-squared(distance_px / cutoff_px));
-        if (score <= best_score) continue;
-        best_score = score;
-        best = &candidate;
-        residual_px = distance_px;
-      }
+  StepJob job{.points = points_,
+              .candidates = candidates_,
+              .count = count_,
+              .center_mm = {},
+              .motion = {},
+              .fx = static_cast<float>(camera_.fx_px),
+              .fy = static_cast<float>(camera_.fy_px),
+              .cutoff_px = static_cast<float>(reach_px + 0.5)};
+  Eigen::Map<Eigen::Vector3f>(job.center_mm.data()) = start_.translation_mm.cast<float>();
+  Eigen::Map<Eigen::Matrix<float, 6, 1>>(job.motion.data()) = motion_.cast<float>();
+  const StepSums sums = sum_step(job);
+  Matrix6 normal_matrix;
+  std::size_t entry = 0;
+  for (Eigen::Index row = 0; row < 6; ++row) {
+    for (Eigen::Index column = row; column < 6; ++column) {
+      normal_matrix(row, column) = normal_matrix(column, row) = sums.normal[entry++];
     }
-    if (std::abs(residual_px) >= cutoff_px) continue;
-    const double tukey = squared(1 - squared(residual_px / cutoff_px));
-    const double weight = target.trust * tukey * best->weight;
-    normal_matrix.noalias() += (weight * target.jacobian) * target.jacobian.transpose();
-    right_side += (weight * residual_px) * target.jacobian;
-    sweep += weight * target.sweep;
-    whole_weight += weight;
   }
+  const Twist right_side =
+      Eigen::Map<const Eigen::Matrix<float, 6, 1>>(sums.right.data()).cast<double>();
+  const Twist sweep =
+      Twist::Constant(1e-12) +
+      Eigen::Map<const Eigen::Matrix<float, 6, 1>>(sums.sweep.data()).cast<double>();
   // In units that move the points equally far, eigenvalues are shares of the points' motion that
   // edges can see. Errors of the contour's normals feign small ones.
   unit_ = sweep.cwiseSqrt().cwiseInverse();
   shares_ = unit_.asDiagonal() * normal_matrix * unit_.asDiagonal();
-  whole_weight_ = whole_weight;
+  whole_weight_ = sums.weight;
   // Along each eigenvector: the expected pose at share 0, the edges' at share 1, half of each at
   // the feigned one.
   const Twist away = twist_between(expected_center_, moved(start_, motion_)).cwiseQuotient(unit_);

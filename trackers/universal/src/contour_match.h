@@ -4,11 +4,14 @@
 
 #include <Eigen/Core>
 #include <array>
+#include <cstddef>
 #include <vector>
 
 #include "anneal6d/framework/camera_model.h"
 #include "appearance.h"
-#include "edge_line.h"
+#include "contour_kernels.h"
+#include "line_kernels.h"
+#include "smooth_picture.h"
 #include "twist.h"
 #include "view_model.h"
 
@@ -18,30 +21,6 @@ namespace anneal6d {
 /// together. For one refinement at a time.
 class ContourMatch {
  public:
-  static constexpr std::size_t kCandidates = 3;
-
-  /// Where a contour point may be.
-  struct Candidate {
-    double offset_px = 0;  ///< along the normal
-    double weight = 0;     ///< 0..1, in the least squares
-    double score = 0;      ///< beside other candidates
-  };
-
-  /// A visible contour point and where the image shows it.
-  struct Target {
-    Eigen::Vector3d camera_mm;
-    Eigen::Vector2d image_px, normal;
-    double shift_px, trust;
-    float inside_px, outside_px;
-    bool silhouette;
-    int polarity;
-    std::array<Candidate, kCandidates> candidates;
-    int candidate_count = 0;
-    /// Of the place along the normal, and of the squared motion in the image (both directions), for
-    /// each entry of a twist about the object's centre; only where there are candidates.
-    Twist jacobian = Twist::Zero(), sweep = Twist::Zero();
-  };
-
   /// `center_mm`: the centre of the object, object frame. Picture and camera outlive the match.
   ContourMatch(const SmoothPicture& picture, const CameraModel& camera,
                const Eigen::Vector3d& center_mm);
@@ -54,15 +33,20 @@ class ContourMatch {
     feigned_share_ = feigned_share;
   }
 
-  /// Takes the first `most_points` of a view's contour, as far as they are in the picture.
-  void project(const Pose& camera_from_object, const ModelView& view, std::size_t most_points);
+  /// Takes the first `most_points` of a view's contour, as far as they are in the picture, and
+  /// returns their number.
+  std::size_t project(const Pose& camera_from_object, const ModelView& view,
+                      std::size_t most_points);
 
-  const std::vector<Target>& targets() const { return targets_; }
+  std::size_t size() const { return count_; }
+  /// The points that project() took, in the picture.
+  const ContourPoints& points() const { return points_; }
+  std::size_t silhouettes() const;
 
-  /// Finds the edges up to `reach_px` from each target.
+  /// Finds the edges up to `reach_px` from each point.
   void observe(int reach_px, const Appearance& appearance);
 
-  /// Finds the silhouettes by colours alone, up to `reach_px` from each target.
+  /// Finds the silhouettes by colours alone, up to `reach_px` from each point.
   void observe_colours(int reach_px, const Appearance& appearance);
 
   /// One Gauss-Newton step on what was observed; what is farther away than `reach_px` counts
@@ -77,17 +61,34 @@ class ContourMatch {
   /// See Refiner::Result; at the last step.
   Eigen::Matrix<double, 6, 6> unseen() const;
 
+  /// Shares of the points, 0..1, that have an edge within `reach_px` where colours agree, and, as
+  /// far as it is there to `fit_px`; those of Refiner::Result. Takes the place of what was
+  /// observed.
+  struct Confirmation {
+    double support = 0, fit = 0;
+  };
+  Confirmation confirm(double reach_px, double fit_px, const Appearance& appearance);
+
+  /// The share of the points, 0..1, that have an edge `from_px` to `to_px` beside them, of both
+  /// sides the mean.
+  double edges_beside(int from_px, int to_px) const;
+
  private:
   using Matrix6 = Eigen::Matrix<double, 6, 6>;
 
-  void differentiate(Target& target) const;
+  void reserve(std::size_t most_points);
+  /// The lines across the points; colours of null say nothing.
+  LineJob lines(int reach_px, const Appearance* appearance) const;
 
   SmoothPicture picture_;
   const CameraModel& camera_;
   Eigen::Vector3d center_mm_;
   Pose expected_center_;
   double feigned_share_ = 1;
-  std::vector<Target> targets_;
+  std::vector<float> rows_;  ///< of points_ and candidates_
+  ContourPoints points_{};
+  LineCandidates candidates_{};
+  std::size_t count_ = 0;
   Pose start_;  ///< camera_from_center of the projection
   Twist motion_ = Twist::Zero();
   // Of the last step: how far each entry of a twist is to move the points equally far, the normal

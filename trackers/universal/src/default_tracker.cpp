@@ -64,7 +64,7 @@ class DefaultTracker final : public PoseFilterTracker {
       : PoseFilterTracker(setup, options, drawing),
         symmetry_(setup.symmetry),
         views_(view_model_of(drawing)),
-        refiner_(*views_, setup.camera),
+        refiner_(*views_, setup.camera, workers_),
         region_(*views_, setup.camera, workers_),
         search_(filter_, refiner_, workers_, {options.particles, options.layers},
                 setup.mesh->radius_mm()),

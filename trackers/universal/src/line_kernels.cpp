@@ -2,21 +2,41 @@
 // Copyright (c) 2026 The Anneal6D authors
 #include "line_kernels.h"
 
+#include <algorithm>
+#include <array>
+#include <cstddef>
+
+#include "appearance.h"
+#include "encoding_bias.h"
+
 #undef HWY_TARGET_INCLUDE
 #define HWY_TARGET_INCLUDE "line_kernels.cpp"
 #include <hwy/foreach_target.h>
 // After foreach_target.h, as Highway wants it.
+#include <hwy/contrib/math/math-inl.h>
 #include <hwy/highway.h>
 
 HWY_BEFORE_NAMESPACE();
 namespace anneal6d {
 namespace HWY_NAMESPACE {
+namespace {
 namespace hn = hwy::HWY_NAMESPACE;
 
 using F = hn::CappedTag<float, LineJob::kPadding>;
 using I = hn::RebindToSigned<F>;
 using VF = hn::Vec<F>;
 using VI = hn::Vec<I>;
+using MF = hn::Mask<F>;
+
+constexpr std::size_t kSide = kLongestVector;  // from sample to sample of one line, floats
+constexpr float kFaintest = 2.5F;              // grey levels a pixel: weaker slopes are no edge
+constexpr float kHalfWeight = 4.0F;            // the slope that counts half
+constexpr float kPixelWeight = 0.5F;           // pixels beside each other show the same
+constexpr float kNear = 0.6F;    // of the reach: what is farther away is expected less
+constexpr float kNone = -1e30F;  // logarithm of the score of what is no edge
+
+VF Set(float value) { return hn::Set(F(), value); }
+VF Square(VF x) { return hn::Mul(x, x); }
 
 /// Byte `k` of each lane, lowest first.
 template <int k>
@@ -25,56 +45,323 @@ VF Byte(VI four) {
   return hn::ConvertTo(F(), hn::And(hn::ShiftRight<8 * k>(four), hn::Set(si, 255)));
 }
 
-void SampleLine(const LineJob& job) {
-  constexpr F f;
-  constexpr I si;
-  const VF right = hn::Set(f, static_cast<float>(job.columns) - 1.001F);
-  const VF bottom = hn::Set(f, static_cast<float>(job.rows) - 1.001F);
-  const VI stride = hn::Set(si, static_cast<std::int32_t>(job.stride));
-  const auto* const base = reinterpret_cast<const std::int32_t*>(job.data);
-  const auto bytes_at = [&](VI offset) { return hn::GatherOffset(si, base, offset); };
-  for (int i = 0; i < job.count; i += static_cast<int>(hn::Lanes(f))) {
-    const VF along = hn::Add(hn::Iota(f, 0.0F), hn::Set(f, static_cast<float>(i)));
-    const VF x = hn::Max(
-        hn::Zero(f), hn::Min(right, hn::MulAdd(along, hn::Set(f, job.step_x), hn::Set(f, job.x))));
-    const VF y = hn::Max(
-        hn::Zero(f), hn::Min(bottom, hn::MulAdd(along, hn::Set(f, job.step_y), hn::Set(f, job.y))));
-    const VI column = hn::ConvertTo(si, x), row = hn::ConvertTo(si, y);
-    const VF share_x = hn::Sub(x, hn::ConvertTo(f, column));
-    const VF share_y = hn::Sub(y, hn::ConvertTo(f, row));
-    const VI upper = hn::Add(hn::Mul(row, stride), hn::Mul(column, hn::Set(si, job.channels)));
-    const VI lower = hn::Add(upper, stride);
-    const auto store = [&](int channel, VF a, VF b, VF p, VF q) {
-      const VF above = hn::MulAdd(share_x, hn::Sub(b, a), a);
-      const VF below = hn::MulAdd(share_x, hn::Sub(q, p), p);
-      hn::StoreU(hn::MulAdd(share_y, hn::Sub(below, above), above), f, job.grey[channel] + i);
+/// What a vector of lines shows.
+class Profile {
+ public:
+  Profile(const LineJob& job, std::size_t first)
+      : job_(job),
+        lines_(hn::FirstN(F(), job.count - first)),
+        polarity_(Take(job.polarity + first)),
+        middle_(job.reach_px + kLineMargin),
+        last_(2 * middle_) {
+    Sample(first);
+    for (int i = 1; i < last_; ++i) {
+      VF sum = hn::Zero(F());
+      for (int c = 0; c < job_.channels; ++c) {
+        sum = hn::Add(sum, Square(hn::Sub(Grey(c, i + 1), Grey(c, i - 1))));
+      }
+      hn::Store(hn::Mul(Set(0.5F), hn::Sqrt(sum)), F(), At(slope_, i));
+    }
+    CompareColours(first);
+  }
+
+  int first_place() const { return kLineMargin; }
+  int last_place() const { return last_ - kLineMargin; }
+  int middle() const { return middle_; }
+  MF lines() const { return lines_; }
+
+  VF Grey(int channel, int i) const { return hn::Load(F(), At(grey_[channel], i)); }
+  VF Slope(int i) const { return hn::Load(F(), At(slope_, i)); }
+
+  /// Logarithm of how likely the object ends at sample i by its colours; 0 at most.
+  VF Colours(int i) const { return hn::Sub(hn::Load(F(), At(region_, i)), greatest_); }
+  /// The same, and by the distance from the middle.
+  VF Likelihood(int i) const {
+    const float away =
+        static_cast<float>(i - middle_) / (static_cast<float>(job_.reach_px) * kNear);
+    return hn::Sub(Colours(i), Set(away * away));
+  }
+
+  /// Where sample i is an edge.
+  MF IsEdge(int i) const {
+    constexpr F f;
+    const VF here = Slope(i);
+    const MF ridge = hn::And(hn::And(hn::Ge(here, Set(kFaintest)), hn::Ge(here, Slope(i - 1))),
+                             hn::Gt(here, Slope(i + 1)));
+    VF rise = hn::Zero(f);
+    for (int c = 0; c < job_.channels; ++c) {
+      rise = hn::Add(rise, hn::Sub(Grey(c, i + 1), Grey(c, i - 1)));
+    }
+    const MF right = hn::Ge(hn::Mul(rise, polarity_), hn::Zero(f));
+    return hn::And(hn::And(ridge, right), lines_);
+  }
+
+  /// Logarithm of the score of an edge at sample i; there is one where `edge` says so.
+  VF LogScore(int i, MF edge) const {
+    constexpr F f;
+    const VF score = hn::Add(hn::Log(f, Weight(hn::Max(Slope(i), Set(kFaintest)))), Likelihood(i));
+    return hn::IfThenElse(edge, score, Set(kNone));
+  }
+
+  static VF Weight(VF slope) { return hn::Div(slope, hn::Add(slope, Set(kHalfWeight))); }
+
+  // The same at a place of each lane's own.
+  VF SlopeAt(VI place, int away) const { return Look(slope_, place, away); }
+  /// Place of the greatest slope around a sample, between samples, from the middle: the vertex of
+  /// the parabola through three slopes (ridge.h).
+  VF Between(VI place) const {
+    const VF before = SlopeAt(place, -1), here = SlopeAt(place, 0), after = SlopeAt(place, 1);
+    const VF bend = hn::Sub(hn::Add(before, after), hn::Add(here, here));
+    const VF offset = hn::Div(hn::Mul(Set(0.5F), hn::Sub(before, after)), bend);
+    const VF whole = hn::Sub(hn::ConvertTo(F(), place), Set(static_cast<float>(middle_)));
+    return hn::Add(whole, offset);
+  }
+
+  /// See EncodingBias; by the channel with the most contrast.
+  VF EncodingShift(VI place) const {
+    constexpr F f;
+    VF from = Look(grey_[0], place, -2), to = Look(grey_[0], place, 2);
+    for (int c = 1; c < job_.channels; ++c) {
+      const VF a = Look(grey_[c], place, -2), b = Look(grey_[c], place, 2);
+      const MF clearer = hn::Gt(hn::Abs(hn::Sub(b, a)), hn::Abs(hn::Sub(to, from)));
+      from = hn::IfThenElse(clearer, a, from);
+      to = hn::IfThenElse(clearer, b, to);
+    }
+    const EncodingBias& bias = EncodingBias::table();
+    const auto level = [&](VF grey) {
+      return hn::NearestInt(hn::Max(hn::Zero(f), hn::Min(grey, Set(255.0F))));
     };
-    // Four bytes are read at once, and none that the picture does not have.
-    if (job.channels == 1) {
-      // Behind the upper pixels and before the lower ones there is another row.
-      const VI above = bytes_at(upper), below = bytes_at(hn::Sub(lower, hn::Set(si, 2)));
-      store(0, Byte<0>(above), Byte<1>(above), Byte<2>(below), Byte<3>(below));
-    } else {
-      // Six bytes of two pixels: the first four, and the last four.
-      const VI two = hn::Set(si, 2);
-      const VI above = bytes_at(upper), above_end = bytes_at(hn::Add(upper, two));
-      const VI below = bytes_at(lower), below_end = bytes_at(hn::Add(lower, two));
-      store(0, Byte<0>(above), Byte<3>(above), Byte<0>(below), Byte<3>(below));
-      store(1, Byte<1>(above), Byte<2>(above_end), Byte<1>(below), Byte<2>(below_end));
-      store(2, Byte<2>(above), Byte<3>(above_end), Byte<2>(below), Byte<3>(below_end));
+    const VI i = level(from), j = level(to);
+    const auto rise = [&](const std::array<float, 256>& table) {
+      return hn::Sub(hn::GatherIndex(f, table.data(), j), hn::GatherIndex(f, table.data(), i));
+    };
+    const VF mean_level = hn::Div(rise(bias.integral), rise(bias.light));
+    const VF low = hn::Mul(hn::ConvertTo(f, i), Set(1.0F / 255.0F));
+    const VF high = hn::Mul(hn::ConvertTo(f, j), Set(1.0F / 255.0F));
+    const VF shift =
+        hn::Div(hn::NegMulAdd(Set(0.5F), hn::Neg(hn::Add(low, high)), hn::Neg(mean_level)),
+                hn::Sub(high, low));
+    return hn::IfThenElse(hn::RebindMask(f, hn::Eq(i, j)), hn::Zero(f), shift);
+  }
+
+ private:
+  static const float* At(const float* values, int i) {
+    return values + static_cast<std::size_t>(i) * kSide;
+  }
+  static float* At(float* values, int i) { return values + static_cast<std::size_t>(i) * kSide; }
+
+  /// Entries of lines, 0 behind the last one.
+  VF Take(const float* values) const { return hn::IfThenElseZero(lines_, hn::LoadU(F(), values)); }
+
+  VF Look(const float* values, VI place, int away) const {
+    constexpr I si;
+    const VI row = hn::Add(place, hn::Set(si, away));
+    return hn::GatherIndex(
+        F(), values,
+        hn::Add(hn::Mul(row, hn::Set(si, static_cast<std::int32_t>(kSide))), hn::Iota(si, 0)));
+  }
+
+  void Sample(std::size_t first) {
+    constexpr F f;
+    constexpr I si;
+    const VF right = Set(static_cast<float>(job_.columns) - 1.001F);
+    const VF bottom = Set(static_cast<float>(job_.rows) - 1.001F);
+    const VI stride = hn::Set(si, static_cast<std::int32_t>(job_.stride));
+    const auto* const base = reinterpret_cast<const std::int32_t*>(job_.data);
+    const auto bytes_at = [&](VI offset) { return hn::GatherOffset(si, base, offset); };
+    const VF step_x = Take(job_.normal_x + first), step_y = Take(job_.normal_y + first);
+    const VF middle_x = Take(job_.x + first), middle_y = Take(job_.y + first);
+    for (int i = 0; i <= last_; ++i) {
+      const VF along = Set(static_cast<float>(i - middle_));
+      const VF x = hn::Max(hn::Zero(f), hn::Min(right, hn::MulAdd(along, step_x, middle_x)));
+      const VF y = hn::Max(hn::Zero(f), hn::Min(bottom, hn::MulAdd(along, step_y, middle_y)));
+      const VI column = hn::ConvertTo(si, x), row = hn::ConvertTo(si, y);
+      const VF share_x = hn::Sub(x, hn::ConvertTo(f, column));
+      const VF share_y = hn::Sub(y, hn::ConvertTo(f, row));
+      const VI upper = hn::Add(hn::Mul(row, stride), hn::Mul(column, hn::Set(si, job_.channels)));
+      const VI lower = hn::Add(upper, stride);
+      const auto store = [&](int channel, VF a, VF b, VF p, VF q) {
+        const VF above = hn::MulAdd(share_x, hn::Sub(b, a), a);
+        const VF below = hn::MulAdd(share_x, hn::Sub(q, p), p);
+        hn::Store(hn::MulAdd(share_y, hn::Sub(below, above), above), f, At(grey_[channel], i));
+      };
+      // Four bytes are read at once, and none that the picture does not have.
+      if (job_.channels == 1) {
+        // Behind the upper pixels and before the lower ones there is another row.
+        const VI above = bytes_at(upper), below = bytes_at(hn::Sub(lower, hn::Set(si, 2)));
+        store(0, Byte<0>(above), Byte<1>(above), Byte<2>(below), Byte<3>(below));
+      } else {
+        // Six bytes of two pixels: the first four, and the last four.
+        const VI two = hn::Set(si, 2);
+        const VI above = bytes_at(upper), above_end = bytes_at(hn::Add(upper, two));
+        const VI below = bytes_at(lower), below_end = bytes_at(hn::Add(lower, two));
+        store(0, Byte<0>(above), Byte<3>(above), Byte<0>(below), Byte<3>(below));
+        store(1, Byte<1>(above), Byte<2>(above_end), Byte<1>(below), Byte<2>(below_end));
+        store(2, Byte<2>(above), Byte<3>(above_end), Byte<2>(below), Byte<3>(below_end));
+      }
     }
   }
-  for (int i = 1; i < job.count - 1; i += static_cast<int>(hn::Lanes(f))) {
+
+  /// Index of a colour; see Appearance::bin.
+  VI Bin(int i) const {
+    constexpr I si;
+    const auto byte = [&](int c) { return hn::ConvertTo(si, hn::Add(Grey(c, i), Set(0.5F))); };
+    if (job_.channels == 1) return hn::ShiftRight<1>(byte(0));
+    return hn::Or(hn::Or(hn::ShiftLeft<10>(hn::ShiftRight<3>(byte(0))),
+                         hn::ShiftLeft<5>(hn::ShiftRight<3>(byte(1)))),
+                  hn::ShiftRight<3>(byte(2)));
+  }
+
+  /// Sums up the log odds of what lies before each sample: the object ends where they are greatest.
+  void CompareColours(std::size_t first) {
+    constexpr F f;
+    constexpr I si;
     VF sum = hn::Zero(f);
-    for (int channel = 0; channel < job.channels; ++channel) {
-      const float* const here = job.grey[channel] + i;
-      const VF rise = hn::Sub(hn::LoadU(f, here + 1), hn::LoadU(f, here - 1));
-      sum = hn::MulAdd(rise, rise, sum);
+    if (!job_.log_odds) {
+      for (int i = 1; i < last_; ++i) hn::Store(sum, f, At(region_, i));
+      greatest_ = sum;
+      return;
     }
-    hn::StoreU(hn::Mul(hn::Set(f, 0.5F), hn::Sqrt(sum)), f, job.slope + i);
+    const auto whole = [&](VF x) { return hn::ConvertTo(f, hn::ConvertTo(si, x)); };
+    const VF begin = hn::Neg(whole(Take(job_.inside_px + first)));
+    const VF end = whole(Take(job_.outside_px + first));
+    const MF compared = hn::And(lines_, hn::Ge(Take(job_.inside_px + first), hn::Zero(f)));
+    const auto* const odds = reinterpret_cast<const std::int32_t*>(job_.log_odds);
+    constexpr float kHalf = 0.5F * kPixelWeight / Appearance::kScale;
+    greatest_ = Set(kNone);
+    for (int i = 1; i < last_; ++i) {
+      const VF along = Set(static_cast<float>(i - middle_));
+      const MF speaks = hn::And(hn::And(hn::Ge(along, begin), hn::Le(along, end)), compared);
+      VF half = hn::Zero(f);
+      if (!hn::AllFalse(f, speaks)) {
+        // Four bytes from the place on; the lowest is the one.
+        const VI four = hn::GatherOffset(si, odds, Bin(i));
+        const VI one = hn::ShiftRight<24>(hn::ShiftLeft<24>(four));
+        half = hn::IfThenElseZero(speaks, hn::Mul(hn::ConvertTo(f, one), Set(kHalf)));
+      }
+      sum = hn::Add(sum, half);
+      hn::Store(sum, f, At(region_, i));
+      greatest_ = hn::Max(greatest_, sum);
+      sum = hn::Add(sum, half);
+    }
+  }
+
+  const LineJob& job_;
+  MF lines_;
+  VF polarity_;
+  int middle_, last_;
+  VF greatest_;
+  HWY_ALIGN float grey_[3][kLongestLine * kSide];
+  HWY_ALIGN float slope_[kLongestLine * kSide];
+  HWY_ALIGN float region_[kLongestLine * kSide];
+};
+
+void FindCandidates(const LineJob& job, const LineCandidates& out) {
+  constexpr F f;
+  constexpr I si;
+  for (std::size_t first = 0; first < job.count; first += hn::Lanes(f)) {
+    const Profile lines(job, first);
+    VF best[LineJob::kCandidates];
+    VI place[LineJob::kCandidates];
+    for (std::size_t k = 0; k < LineJob::kCandidates; ++k) {
+      best[k] = Set(kNone);
+      place[k] = hn::Set(si, lines.middle());
+    }
+    for (int i = lines.first_place(); i <= lines.last_place(); ++i) {
+      const MF edge = lines.IsEdge(i);
+      if (hn::AllFalse(f, edge)) continue;
+      VF score = lines.LogScore(i, edge);
+      VI at = hn::Set(si, i);
+      for (std::size_t k = 0; k < LineJob::kCandidates; ++k) {
+        // The better one stays here, the other goes on to the next place.
+        const MF better = hn::Gt(score, best[k]);
+        const VF lesser = hn::IfThenElse(better, best[k], score);
+        const VI lesser_at = hn::IfThenElse(hn::RebindMask(si, better), place[k], at);
+        best[k] = hn::IfThenElse(better, score, best[k]);
+        place[k] = hn::IfThenElse(hn::RebindMask(si, better), at, place[k]);
+        score = lesser;
+        at = lesser_at;
+      }
+    }
+    for (std::size_t k = 0; k < LineJob::kCandidates; ++k) {
+      const MF there = hn::Gt(best[k], Set(kNone));
+      const VF offset = hn::Sub(lines.Between(place[k]), lines.EncodingShift(place[k]));
+      const VF weight = Profile::Weight(lines.SlopeAt(place[k], 0));
+      hn::StoreU(hn::IfThenElseZero(there, offset), f, out.offset_px[k] + first);
+      hn::StoreU(hn::IfThenElseZero(there, weight), f, out.weight[k] + first);
+      hn::StoreU(best[k], f, out.log_score[k] + first);
+    }
   }
 }
 
+void FindStrongest(const LineJob& job, const LineEdges& out) {
+  constexpr F f;
+  constexpr I si;
+  for (std::size_t first = 0; first < job.count; first += hn::Lanes(f)) {
+    const Profile lines(job, first);
+    VF best = Set(kNone);
+    VI place = hn::Set(si, lines.middle());
+    for (int i = lines.first_place(); i <= lines.last_place(); ++i) {
+      const MF edge = lines.IsEdge(i);
+      if (hn::AllFalse(f, edge)) continue;
+      const VF score = lines.LogScore(i, edge);
+      const MF better = hn::Gt(score, best);
+      best = hn::IfThenElse(better, score, best);
+      place = hn::IfThenElse(hn::RebindMask(si, better), hn::Set(si, i), place);
+    }
+    const MF there = hn::Gt(best, Set(kNone));
+    hn::StoreU(hn::IfThenElseZero(there, lines.Between(place)), f, out.offset_px + first);
+    hn::StoreU(hn::IfThenElseZero(there, lines.SlopeAt(place, 0)), f, out.strength + first);
+    hn::StoreU(hn::Exp(f, lines.Colours(lines.middle())), f, out.agreement + first);
+  }
+}
+
+void FindBorders(const LineJob& job, float* offset_px, float* variance_px2) {
+  constexpr F f;
+  for (std::size_t first = 0; first < job.count; first += hn::Lanes(f)) {
+    const Profile lines(job, first);
+    VF sum = hn::Zero(f), first_moment = hn::Zero(f), second = hn::Zero(f);
+    for (int i = lines.first_place(); i <= lines.last_place(); ++i) {
+      const VF here = hn::Exp(f, lines.Likelihood(i));
+      const VF along = Set(static_cast<float>(i - lines.middle()));
+      sum = hn::Add(sum, here);
+      first_moment = hn::MulAdd(here, along, first_moment);
+      second = hn::MulAdd(here, Square(along), second);
+    }
+    const VF mean = hn::Div(first_moment, sum);
+    const VF variance = hn::Max(hn::Zero(f), hn::Sub(hn::Div(second, sum), Square(mean)));
+    hn::StoreU(mean, f, offset_px + first);
+    hn::StoreU(variance, f, variance_px2 + first);
+  }
+}
+
+int CountEdgesBeside(const LineJob& job, int from_px, int to_px) {
+  constexpr F f;
+  std::size_t count = 0;
+  for (std::size_t first = 0; first < job.count; first += hn::Lanes(f)) {
+    const Profile lines(job, first);
+    for (const int side : {-1, 1}) {
+      const int a = lines.middle() + side * from_px, b = lines.middle() + side * to_px;
+      const int begin = std::max(std::min(a, b), lines.first_place());
+      const int end = std::min(std::max(a, b), lines.last_place());
+      MF some = hn::FirstN(f, 0);
+      for (int i = begin; i <= end; ++i) some = hn::Or(some, lines.IsEdge(i));
+      count += hn::CountTrue(f, some);
+    }
+  }
+  return static_cast<int>(count);
+}
+
+void SampleLines(const LineJob& job, const LineSamples& out) {
+  const Profile lines(job, 0);
+  for (int i = 0; i <= 2 * lines.middle(); ++i) {
+    const std::size_t place = static_cast<std::size_t>(i) * kSide;
+    for (int c = 0; c < job.channels; ++c) hn::StoreU(lines.Grey(c, i), F(), out.grey[c] + place);
+    if (i > 0 && i < 2 * lines.middle()) hn::StoreU(lines.Slope(i), F(), out.slope + place);
+  }
+}
+
+}  // namespace
 }  // namespace HWY_NAMESPACE
 }  // namespace anneal6d
 HWY_AFTER_NAMESPACE();
@@ -82,8 +369,30 @@ HWY_AFTER_NAMESPACE();
 #if HWY_ONCE
 namespace anneal6d {
 
-HWY_EXPORT(SampleLine);
-void sample_line(const LineJob& job) { HWY_DYNAMIC_DISPATCH(SampleLine)(job); }
+HWY_EXPORT(FindCandidates);
+void find_candidates(const LineJob& job, const LineCandidates& candidates) {
+  HWY_DYNAMIC_DISPATCH(FindCandidates)(job, candidates);
+}
+
+HWY_EXPORT(FindStrongest);
+void find_strongest(const LineJob& job, const LineEdges& edges) {
+  HWY_DYNAMIC_DISPATCH(FindStrongest)(job, edges);
+}
+
+HWY_EXPORT(FindBorders);
+void find_borders(const LineJob& job, float* offset_px, float* variance_px2) {
+  HWY_DYNAMIC_DISPATCH(FindBorders)(job, offset_px, variance_px2);
+}
+
+HWY_EXPORT(CountEdgesBeside);
+int count_edges_beside(const LineJob& job, int from_px, int to_px) {
+  return HWY_DYNAMIC_DISPATCH(CountEdgesBeside)(job, from_px, to_px);
+}
+
+HWY_EXPORT(SampleLines);
+void sample_lines(const LineJob& job, const LineSamples& samples) {
+  HWY_DYNAMIC_DISPATCH(SampleLines)(job, samples);
+}
 
 }  // namespace anneal6d
 #endif

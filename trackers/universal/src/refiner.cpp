@@ -20,7 +20,7 @@ constexpr int kStepsPerRound = 3;
 constexpr double kFinestReach_px = 2.5;
 constexpr std::array kApproachReaches_px = {16.0, 10.0};
 constexpr int kApproachSteps = 2;
-constexpr std::ptrdiff_t kFewestSilhouettes = 20;
+constexpr std::size_t kFewestSilhouettes = 20;
 // Polishing comes near with some of the points and ends with all of them, so narrow that edges
 // which are off, as silhouettes are by shading, lose their say.
 struct PolishingRound {
@@ -39,16 +39,14 @@ constexpr std::size_t kFewestPoints = 8;
 constexpr int kColourGap_px = 2;  // blurred edges are of neither colour
 constexpr int kColourReach_px = 12;
 
-double squared(double x) { return x * x; }
-
 std::size_t points_of(Refiner::Care care) {
   return care == Refiner::Care::quick ? kFewPoints : kAllPoints;
 }
 
 }  // namespace
 
-Refiner::Refiner(const ViewModel& views, const CameraModel& camera)
-    : views_(views), camera_(camera) {}
+Refiner::Refiner(const ViewModel& views, const CameraModel& camera, Workers& workers)
+    : views_(views), camera_(camera), workers_(workers) {}
 
 void Refiner::set_image(const cv::Mat& image, const cv::Rect& window) {
   const cv::Rect seen = window & cv::Rect(0, 0, image.cols, image.rows);
@@ -57,9 +55,16 @@ void Refiner::set_image(const cv::Mat& image, const cv::Rect& window) {
     return;
   }
   origin_ = seen.tl();
-  // What is around the window would not change what is seen in it, but takes OpenCV twice as long.
-  cv::GaussianBlur(image(seen), smooth_, {5, 5}, kEdgeBlur_px, kEdgeBlur_px,
-                   cv::BORDER_REPLICATE | cv::BORDER_ISOLATED);
+  smooth_.create(seen.size(), image.type());
+  constexpr int kStrips = 2;
+  workers_.each(kStrips, 1, [&](std::size_t strip) {
+    const int from = seen.height * static_cast<int>(strip) / kStrips;
+    const int to = seen.height * static_cast<int>(strip + 1) / kStrips;
+    const cv::Range rows(seen.y + from, seen.y + to), columns(seen.x, seen.br().x);
+    cv::Mat smooth = smooth_.rowRange(from, to);
+    cv::GaussianBlur(image(rows, columns), smooth, {5, 5}, kEdgeBlur_px, kEdgeBlur_px,
+                     cv::BORDER_REPLICATE);
+  });
 }
 
 Pose Refiner::to_center(const Pose& camera_from_object) const {
@@ -75,10 +80,10 @@ Pose Refiner::follow(ContourMatch& contour, const ModelView* view,
   double reach = reach_px;
   const int rounds = care == Care::quick ? kCoarseRounds : kRounds;
   for (int round = 0; round < rounds && !smooth_.empty(); ++round) {
-    contour.project(pose, view ? *view : views_.seen_from(pose),
-                    round < kCoarseRounds ? kFewPoints : kAllPoints);
-    if (contour.targets().size() < kFewestPoints) break;
-    contour.observe(std::clamp(static_cast<int>(std::ceil(reach)), 2, EdgeLine::kMaxReach_px),
+    const std::size_t seen = contour.project(pose, view ? *view : views_.seen_from(pose),
+                                             round < kCoarseRounds ? kFewPoints : kAllPoints);
+    if (seen < kFewestPoints) break;
+    contour.observe(std::clamp(static_cast<int>(std::ceil(reach)), 2, LineJob::kMaxReach_px),
                     appearance);
     for (int i = 0; i < kStepsPerRound; ++i) contour.step(reach);
     pose = contour.camera_from_object();
@@ -115,9 +120,7 @@ Pose Refiner::approach(const Pose& start_camera_from_object, const Appearance& a
   contour.expect(to_center(start_camera_from_object), kFeigned);
   for (const double reach_px : kApproachReaches_px) {
     contour.project(pose, views_.seen_from(pose), kFewPoints);
-    const auto silhouettes = std::count_if(contour.targets().begin(), contour.targets().end(),
-                                           [](const auto& target) { return target.silhouette; });
-    if (silhouettes < kFewestSilhouettes) break;
+    if (contour.silhouettes() < kFewestSilhouettes) break;
     contour.observe_colours(static_cast<int>(reach_px), appearance);
     for (int i = 0; i < kApproachSteps; ++i) contour.step(reach_px);
     pose = contour.camera_from_object();
@@ -132,8 +135,9 @@ Refiner::Result Refiner::polish(const Result& refined, const ModelView& view, do
   contour.expect(to_center(refined.camera_from_object), feigned_share);
   Result polished = refined;
   for (const PolishingRound& round : kPolishing) {
-    contour.project(polished.camera_from_object, view, round.most_points);
-    if (contour.targets().size() < kFewestPoints) return refined;
+    if (contour.project(polished.camera_from_object, view, round.most_points) < kFewestPoints) {
+      return refined;
+    }
     contour.observe(round.observed_px, appearance);
     for (const double reach_px : round.reaches_px) {
       for (int i = 0; i < kStepsPerRound; ++i) contour.step(reach_px);
@@ -162,22 +166,10 @@ Refiner::Result Refiner::examine(ContourMatch& contour, const ModelView& view,
                                  std::size_t most_points) const {
   Result result{.camera_from_object = camera_from_object};
   if (smooth_.empty()) return result;
-  contour.project(camera_from_object, view, most_points);
-  if (contour.targets().size() < kFewestPoints) return result;
-  double confirmed = 0, fitting = 0;
-  for (const ContourMatch::Target& target : contour.targets()) {
-    EdgeLine line(picture(), target.image_px, target.normal, 4);
-    if (target.silhouette) line.compare(appearance, target.inside_px, target.outside_px);
-    line.require(target.polarity);
-    const EdgeLine::Edge edge = line.strongest();
-    const bool near = edge.strength > 0 && std::abs(edge.offset_px - target.shift_px) < kSupport_px;
-    if (!near) continue;
-    confirmed += line.agreement();
-    fitting +=
-        line.agreement() * std::exp(-0.5 * squared((edge.offset_px - target.shift_px) / kFit_px));
-  }
-  result.fit = fitting / static_cast<double>(contour.targets().size());
-  result.support = confirmed / static_cast<double>(contour.targets().size());
+  if (contour.project(camera_from_object, view, most_points) < kFewestPoints) return result;
+  const ContourMatch::Confirmation confirmed = contour.confirm(kSupport_px, kFit_px, appearance);
+  result.support = confirmed.support;
+  result.fit = confirmed.fit;
   return result;
 }
 
@@ -185,15 +177,7 @@ double Refiner::chance(const Pose& camera_from_object) const {
   if (smooth_.empty()) return 0;
   ContourMatch contour = match();
   contour.project(camera_from_object, views_.seen_from(camera_from_object), kAllPoints);
-  if (contour.targets().empty()) return 0;
-  int hits = 0;
-  for (const ContourMatch::Target& target : contour.targets()) {
-    EdgeLine line(picture(), target.image_px, target.normal, kAside_px + kAsideReach_px);
-    line.require(target.polarity);
-    hits += line.has_edge(kAside_px - kAsideReach_px, kAside_px + kAsideReach_px);
-    hits += line.has_edge(-kAside_px - kAsideReach_px, -kAside_px + kAsideReach_px);
-  }
-  return 0.5 * hits / static_cast<double>(contour.targets().size());
+  return contour.edges_beside(kAside_px - kAsideReach_px, kAside_px + kAsideReach_px);
 }
 
 void Refiner::teach(const Pose& camera_from_object, Appearance& appearance) const {
@@ -201,22 +185,22 @@ void Refiner::teach(const Pose& camera_from_object, Appearance& appearance) cons
   ContourMatch contour = match();
   contour.project(camera_from_object, views_.seen_from(camera_from_object), kAllPoints);
   std::vector<std::uint16_t> object_bins, beside_bins;
-  const auto collect = [&](const ContourMatch::Target& target, int from, int to,
-                           std::vector<std::uint16_t>& bins) {
+  const ContourPoints& points = contour.points();
+  const auto collect = [&](std::size_t i, int from, int to, std::vector<std::uint16_t>& bins) {
     for (int along = from; along <= to; ++along) {
-      const Eigen::Vector2d place = target.image_px + along * target.normal;
-      const int x = static_cast<int>(std::lround(place.x())) - origin_.x;
-      const int y = static_cast<int>(std::lround(place.y())) - origin_.y;
+      const auto distance = static_cast<float>(along);
+      const int x = cvRound(points.image_x[i] + distance * points.normal_x[i]);
+      const int y = cvRound(points.image_y[i] + distance * points.normal_y[i]);
       if (x < 0 || y < 0 || x >= smooth_.cols || y >= smooth_.rows) continue;
       bins.push_back(appearance.bin(smooth_.ptr<std::uint8_t>(y) + x * smooth_.channels()));
     }
   };
-  for (const ContourMatch::Target& target : contour.targets()) {
-    if (!target.silhouette) continue;
-    const int inside = std::min(static_cast<int>(target.inside_px), kColourReach_px);
-    const int outside = std::min(static_cast<int>(target.outside_px), kColourReach_px);
-    collect(target, -inside, -kColourGap_px, object_bins);
-    collect(target, kColourGap_px, outside, beside_bins);
+  for (std::size_t i = 0; i < contour.size(); ++i) {
+    if (points.inside_px[i] < 0) continue;  // no silhouette
+    const int inside = std::min(static_cast<int>(points.inside_px[i]), kColourReach_px);
+    const int outside = std::min(static_cast<int>(points.outside_px[i]), kColourReach_px);
+    collect(i, -inside, -kColourGap_px, object_bins);
+    collect(i, kColourGap_px, outside, beside_bins);
   }
   appearance.learn(object_bins, beside_bins);
 }

@@ -8,9 +8,9 @@
 #include "anneal6d/framework/camera_model.h"
 #include "appearance.h"
 #include "contour_match.h"
-#include "edge_line.h"
 #include "twist.h"
 #include "view_model.h"
+#include "workers.h"
 
 namespace anneal6d {
 
@@ -20,8 +20,8 @@ namespace anneal6d {
 /// in one picture.
 class Refiner {
  public:
-  /// `views` outlive the refiner.
-  Refiner(const ViewModel& views, const CameraModel& camera);
+  /// `views` and `workers`, which share the work on a frame, outlive the refiner.
+  Refiner(const ViewModel& views, const CameraModel& camera, Workers& workers);
 
   /// The frame, CV_8UC1 or CV_8UC3, distortion removed; only `window` of it is looked at.
   void set_image(const cv::Mat& image, const cv::Rect& window);
@@ -96,6 +96,7 @@ class Refiner {
 
   const ViewModel& views_;
   CameraModel camera_;
+  Workers& workers_;
   cv::Mat smooth_;  ///< what is looked at of the frame, blurred; empty if that is nothing
   cv::Point origin_;
 };

@@ -8,7 +8,7 @@
 
 #include "anneal6d/framework/camera_model.h"
 #include "appearance.h"
-#include "edge_line.h"
+#include "smooth_picture.h"
 #include "view_model.h"
 #include "workers.h"
 

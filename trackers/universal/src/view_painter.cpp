@@ -9,7 +9,7 @@
 #include <opencv2/imgproc.hpp>
 #include <random>
 
-#include "edge_line.h"
+#include "smooth_picture.h"
 
 namespace anneal6d {
 namespace {
@@ -97,17 +97,57 @@ ModelView ViewPainter::paint_contour(const Pose& camera_from_object, std::size_t
   shuffle(points_, seed);
   if (points_.size() > most_samples) points_.resize(most_samples);
   view.contour.resize(points_.size());
-  workers.each(points_.size(), kSamplesPerTask,
-               [&](std::size_t i) { view.contour[i] = sample_of(points_[i], camera_from_object); });
+  const std::size_t tasks = (points_.size() + kSamplesPerTask - 1) / kSamplesPerTask;
+  workers.each(tasks, 1, [&](std::size_t task) {
+    const std::size_t first = task * kSamplesPerTask;
+    const std::size_t count = std::min(kSamplesPerTask, points_.size() - first);
+    take_samples(std::span(points_).subspan(first, count), camera_from_object,
+                 std::span(view.contour).subspan(first, count));
+  });
   return view;
 }
 
-ContourSample ViewPainter::sample_of(const ContourPoint& point,
-                                     const Pose& camera_from_object) const {
-  const Eigen::Vector3d camera_mm = camera_from_object * point.object_mm;
-  const Eigen::Vector2d image_px = camera_.project(camera_mm);
+void ViewPainter::take_samples(std::span<const ContourPoint> points, const Pose& camera_from_object,
+                               std::span<ContourSample> samples) const {
+  using Row = std::array<float, kSamplesPerTask + LineJob::kPadding>;
+  Row x{}, y{}, normal_x{}, normal_y{}, offset_px, strength, agreement;
+  const Row any_polarity{};
+  for (std::size_t i = 0; i < points.size(); ++i) {
+    const Eigen::Vector3d camera_mm = camera_from_object * points[i].object_mm;
+    const Eigen::Vector2d image_px = camera_.project(camera_mm);
+    Eigen::Vector2d normal = points[i].normal;
+    samples[i] = sample_of(points[i], camera_from_object, camera_mm, image_px, normal);
+    x[i] = static_cast<float>(image_px.x() - region_.x);
+    y[i] = static_cast<float>(image_px.y() - region_.y);
+    normal_x[i] = static_cast<float>(normal.x());
+    normal_y[i] = static_cast<float>(normal.y());
+  }
+  LineJob lines = lines_through(smooth_grey_, kShiftReach_px);
+  lines.count = points.size();
+  lines.x = x.data();
+  lines.y = y.data();
+  lines.normal_x = normal_x.data();
+  lines.normal_y = normal_y.data();
+  lines.polarity = any_polarity.data();
+  find_strongest(lines, {offset_px.data(), strength.data(), agreement.data()});
+  for (std::size_t i = 0; i < points.size(); ++i) {
+    ContourSample& sample = samples[i];
+    if (points[i].bend) {
+      sample.trust = kBendTrust;
+      continue;
+    }
+    const double most_px = points[i].crowded ? kShiftReach_px : kMostShift_px;
+    const bool found = strength[i] > 0 && std::abs(offset_px[i]) < most_px;
+    if (found) sample.shift_px = offset_px[i];
+    if (points[i].crowded) sample.trust = found ? kCrowdedTrust : kBlindTrust;
+  }
+}
+
+ContourSample ViewPainter::sample_of(const ContourPoint& point, const Pose& camera_from_object,
+                                     const Eigen::Vector3d& camera_mm,
+                                     const Eigen::Vector2d& image_px,
+                                     Eigen::Vector2d& normal) const {
   const double mm_per_px = camera_mm.z() / camera_.fx_px;
-  Eigen::Vector2d normal = point.normal;
   ContourSample sample;
   if (point.texture) sample.polarity = 1;
   const auto beside = [&](double px) { return depth_at(image_px + px * normal); };
@@ -142,17 +182,6 @@ ContourSample ViewPainter::sample_of(const ContourPoint& point,
     sample.inside_mm = static_cast<float>(inside * mm_per_px);
     sample.outside_mm = static_cast<float>(outside * mm_per_px);
   }
-
-  if (point.bend) {
-    sample.trust = kBendTrust;
-    return sample;
-  }
-  const EdgeLine line({smooth_grey_, {region_.x, region_.y}}, image_px, normal, kShiftReach_px);
-  const EdgeLine::Edge seen = line.strongest();
-  const double most_px = point.crowded ? kShiftReach_px : kMostShift_px;
-  const bool found = seen.strength > 0 && std::abs(seen.offset_px) < most_px;
-  if (found) sample.shift_px = seen.offset_px;
-  if (point.crowded) sample.trust = found ? kCrowdedTrust : kBlindTrust;
   return sample;
 }
 

@@ -4,6 +4,7 @@
 
 #include <cstdint>
 #include <opencv2/core/mat.hpp>
+#include <span>
 
 #include "contour.h"
 #include "rasterizer.h"
@@ -32,7 +33,12 @@ class ViewPainter {
                           std::uint32_t seed, Workers& workers);
 
  private:
-  ContourSample sample_of(const ContourPoint& point, const Pose& camera_from_object) const;
+  void take_samples(std::span<const ContourPoint> points, const Pose& camera_from_object,
+                    std::span<ContourSample> samples) const;
+  /// What the geometry says; turns the normal to the far side.
+  ContourSample sample_of(const ContourPoint& point, const Pose& camera_from_object,
+                          const Eigen::Vector3d& camera_mm, const Eigen::Vector2d& image_px,
+                          Eigen::Vector2d& normal) const;
   void sample_edges(const Pose& camera_from_object, std::uint32_t seed, ModelView& view);
   /// Depth of the picture, millimetres, 0 outside the object.
   float depth_at(const Eigen::Vector2d& image_px) const;
