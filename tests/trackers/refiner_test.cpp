@@ -305,15 +305,14 @@ TEST(RefiningInAContourThatWasDrawn, FindsThePoseAndSaysHowWellItFits) {
   const ModelView drawn = painter.paint_contour(truth, 1000, 0, alone);
   const Pose start = beside(*box().mesh, truth, {1.5, -1, 2}, {1, -1, 2});
   const Appearance none(1);
-  const Refiner::Result found = refiner.refine_in(drawn, start, 4, none);
-  EXPECT_LT(center_distance_mm(*box().mesh, found.camera_from_object, truth), 0.3);
-  EXPECT_LT(angle_deg(found.camera_from_object, truth), 0.2);
-  EXPECT_GT(found.fit, 0.9);
-  EXPECT_EQ(refiner.examine_in(drawn, found.camera_from_object, none).fit, found.fit);
+  const Pose found = refiner.refine_in(drawn, start, 4, none);
+  EXPECT_LT(center_distance_mm(*box().mesh, found, truth), 0.3);
+  EXPECT_LT(angle_deg(found, truth), 0.2);
+  EXPECT_GT(refiner.examine_in(drawn, found, none).fit, 0.9);
   EXPECT_LT(refiner.examine_in(drawn, start, none).fit, 0.7);
-  const Refiner::Result blind = refiner.refine_in(ModelView{}, start, 4, none);
-  EXPECT_EQ(blind.camera_from_object.translation_mm, start.translation_mm) << "no other contour";
-  EXPECT_EQ(blind.fit, 0);
+  const Pose blind = refiner.refine_in(ModelView{}, start, 4, none);
+  EXPECT_EQ(blind.translation_mm, start.translation_mm) << "no other contour";
+  EXPECT_EQ(refiner.examine_in(ModelView{}, start, none).fit, 0);
 }
 
 // Named apart from the tests above, which ThreadSanitizer leaves out.

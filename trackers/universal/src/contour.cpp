@@ -101,7 +101,6 @@ void ContourExtractor::extract(const View& view, double spacing_px, bool texture
   const auto columns = static_cast<std::size_t>(view.region.width / spacing_px) + 1;
   const auto rows = static_cast<std::size_t>(view.region.height / spacing_px) + 1;
   cells_.assign(columns * rows, 0);
-  object_from_camera_ = view.camera_from_object.inverse();
   const std::vector<SurfaceBends::Bend>* bends = nullptr;
   workers.each(3, 1, [&](std::size_t part) {
     if (part == 0) {
@@ -119,33 +118,38 @@ void ContourExtractor::extract(const View& view, double spacing_px, bool texture
   if (bends) add_bends(view, *bends, spacing_px, points);
 }
 
-void ContourExtractor::add_mesh_edges(const View& view, double spacing_px,
-                                      std::vector<ContourPoint>& points) {
-  drawn_.create(view.region.height, view.region.width, CV_8UC1);
-  drawn_.setTo(0);
-  const Eigen::Matrix3d rotation = view.camera_from_object.rotation.toRotationMatrix();
-  const Eigen::Vector3d& camera_in_object_mm = object_from_camera_.translation_mm;
-  const Eigen::Vector4f camera = camera_in_object_mm.homogeneous().cast<float>();
+void ContourExtractor::pick_edges(const Pose& camera_from_object) {
+  object_from_camera_ = camera_from_object.inverse();
+  const Eigen::Vector4f camera = object_from_camera_.translation_mm.homogeneous().cast<float>();
   height_a_.noalias() = planes_a_ * camera;
   height_b_.noalias() = planes_b_ * camera;
   // Most edges lie between faces that are both in front of the camera, or both turned away. Bits
   // instead of branches, which would be mispredicted.
-  candidates_.resize(edges_.size());
+  picked_.resize(edges_.size());
   std::size_t count = 0;
   for (std::size_t i = 0; i < edges_.size(); ++i) {
     const auto index = static_cast<Eigen::Index>(i);
     const float a = height_a_[index], b = height_b_[index];
     const bool both_in_front = (a > kClearHeight_mm) & (b > kClearHeight_mm);
     const bool both_turned_away = (a < -kClearHeight_mm) & (b < -kClearHeight_mm);
-    candidates_[count] = static_cast<std::uint32_t>(i);
+    picked_[count] = static_cast<std::uint32_t>(i);
     count += !(both_in_front | both_turned_away);
   }
-  for (std::size_t i = 0; i < count; ++i) {
-    // Candidates lie so far apart in memory that the processor does not foresee them.
-    const MeshEdge* const soon = &edges_[candidates_[std::min(i + kPrefetched, count - 1)]];
+  picked_.resize(count);
+}
+
+void ContourExtractor::add_mesh_edges(const View& view, double spacing_px,
+                                      std::vector<ContourPoint>& points) {
+  drawn_.create(view.region.height, view.region.width, CV_8UC1);
+  drawn_.setTo(0);
+  const Eigen::Matrix3d rotation = view.camera_from_object.rotation.toRotationMatrix();
+  for (std::size_t i = 0; i < picked_.size(); ++i) {
+    // They lie so far apart in memory that the processor does not foresee them.
+    const MeshEdge* const soon = &edges_[picked_[std::min(i + kPrefetched, picked_.size() - 1)]];
     hwy::Prefetch(soon);
     hwy::Prefetch(&soon->normal_b);
-    add_mesh_edge(edges_[candidates_[i]], view, rotation, camera_in_object_mm, spacing_px, points);
+    add_mesh_edge(edges_[picked_[i]], view, rotation, object_from_camera_.translation_mm,
+                  spacing_px, points);
   }
   for (ContourPoint& point : points) point.crowded = is_crowded(point, view);
 }

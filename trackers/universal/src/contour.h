@@ -45,7 +45,10 @@ class ContourExtractor {
     const cv::Mat& depth_mm;
   };
 
-  /// Replaces `points` by visible ones, about one in `spacing_px` pixels along each edge.
+  /// Picks the edges of the mesh that may be part of the contour at a pose. Needs no picture.
+  void pick_edges(const Pose& camera_from_object);
+
+  /// For the pose of which edges were picked: replaces `points` by visible ones, about one in `spacing_px` pixels along each edge.
   /// `texture_edges`: also where the rendered brightness jumps.
   void extract(const View& view, double spacing_px, bool texture_edges, Workers& workers,
                std::vector<ContourPoint>& points);
@@ -73,9 +76,9 @@ class ContourExtractor {
 
   std::vector<MeshEdge> edges_;
   Planes planes_a_, planes_b_;
-  Pose object_from_camera_;                ///< of the view
+  Pose object_from_camera_;                ///< of the pose
   Eigen::VectorXf height_a_, height_b_;    ///< of the camera
-  std::vector<std::uint32_t> candidates_;  ///< edges that may be part of the contour
+  std::vector<std::uint32_t> picked_;      ///< edges that may be part of the contour
   double diameter_mm_;
   bool bent_ = false;                ///< the surface has bends that are no creases
   std::vector<std::uint8_t> cells_;  ///< where points were placed already

@@ -129,7 +129,15 @@ class DefaultTracker final : public PoseFilterTracker {
     found.rotation = symmetry_.fold(found.rotation, last.rotation);
     result.camera_from_object = result.best_camera_from_object = filter_.to_object(found);
 
-    const double chance = refiner_.chance(best.camera_from_object);
+    double chance = 0;
+    Refiner::Colours seen;
+    workers_.each(2, 1, [&](std::size_t i) {
+      if (i == 0) {
+        chance = refiner_.chance(best.camera_from_object);
+      } else {
+        seen = refiner_.colours(result.camera_from_object, appearance);
+      }
+    });
     confirmation_ = quality_of((best.support - chance) / std::max(1e-6, 1.0 - chance));
     uncertainty_.update(motion_.seen_sigma(), best.unseen);
     quality_ = confirmation_ * uncertainty_.probability_within(kRight_mm, kRight_deg * kDegree,
@@ -142,7 +150,7 @@ class DefaultTracker final : public PoseFilterTracker {
     }
     center_ = found;
     motion_.observe(last, center_);
-    if (confirmed) refiner_.teach(result.camera_from_object, *appearance_);
+    if (confirmed) appearance_->learn(seen.object, seen.beside);
   }
 
   Judgement judge(const TrackResult& /*result*/) override {
@@ -213,7 +221,8 @@ class DefaultTracker final : public PoseFilterTracker {
     };
     bool better = false;
     for (const Refiner::Result& other : others) {
-      if (likely(other) <= likely(best) || same_place(other, refined)) continue;
+      if (likely(other) <= likely(best)) continue;
+      if (same_place(other.camera_from_object, refined.camera_from_object)) continue;
       best = other;
       better = true;
     }
@@ -251,7 +260,7 @@ class DefaultTracker final : public PoseFilterTracker {
     // Along one motion while those of better_neighbour() take turns, so that all pairs are tried.
     const std::uint32_t motion = frame_number_ / kNeighbourMotions % kNeighbourMotions;
     if (!blind || motion != 0) look_along(motion, 1.0);
-    std::vector<Refiner::Result> others(starts.size());
+    std::vector<Pose> others(starts.size());
     Polished here;
     workers_.each(others.size() + 1, 1, [&](std::size_t i) {
       if (i == 0) {
@@ -261,10 +270,17 @@ class DefaultTracker final : public PoseFilterTracker {
             refiner_.refine_in(exact.contour(), starts[i - 1], kNeighbourReach_px, appearance);
       }
     });
+    std::erase_if(others, [&](const Pose& other) {
+      return same_place(other, here.result.camera_from_object);
+    });
+    std::vector<Refiner::Result> rivals(others.size());
+    workers_.each(rivals.size(), 1, [&](std::size_t i) {
+      rivals[i] = refiner_.examine_in(exact.contour(), others[i], appearance);
+    });
     const Refiner::Result* rival = nullptr;
     double most = here.likelihood;
-    for (const Refiner::Result& other : others) {
-      if (likelihood(other) <= most || same_place(other, here.result)) continue;
+    for (const Refiner::Result& other : rivals) {
+      if (likelihood(other) <= most) continue;
       most = likelihood(other);
       rival = &other;
     }
@@ -298,9 +314,9 @@ class DefaultTracker final : public PoseFilterTracker {
   }
 
   /// Whether poses are in one basin, as far as that can be told from how near they are.
-  bool same_place(const Refiner::Result& a, const Refiner::Result& b) const {
-    const Pose center = filter_.to_center(a.camera_from_object);
-    const Twist apart = twist_between(center, filter_.to_center(b.camera_from_object));
+  bool same_place(const Pose& a_camera_from_object, const Pose& b_camera_from_object) const {
+    const Pose center = filter_.to_center(a_camera_from_object);
+    const Twist apart = twist_between(center, filter_.to_center(b_camera_from_object));
     return displacement_mm(apart, mesh().radius_mm()) < kNeighbourApart_px * mm_per_px(center);
   }
 

@@ -68,7 +68,6 @@ class Profile {
   int first_place() const { return kLineMargin; }
   int last_place() const { return last_ - kLineMargin; }
   int middle() const { return middle_; }
-  MF lines() const { return lines_; }
 
   VF Grey(int channel, int i) const { return hn::Load(F(), At(grey_[channel], i)); }
   VF Slope(int i) const { return hn::Load(F(), At(slope_, i)); }
@@ -82,7 +81,7 @@ class Profile {
     return hn::Sub(Colours(i), Set(away * away));
   }
 
-  /// Where sample i is an edge.
+  /// Where sample i is an edge; behind the last line there is none, since nothing rises there.
   MF IsEdge(int i) const {
     constexpr F f;
     const VF here = Slope(i);
@@ -93,7 +92,7 @@ class Profile {
       rise = hn::Add(rise, hn::Sub(Grey(c, i + 1), Grey(c, i - 1)));
     }
     const MF right = hn::Ge(hn::Mul(rise, polarity_), hn::Zero(f));
-    return hn::And(hn::And(ridge, right), lines_);
+    return hn::And(ridge, right);
   }
 
   /// Logarithm of the score of an edge at sample i; there is one where `edge` says so.

@@ -104,13 +104,11 @@ Refiner::Result Refiner::refine(const Pose& start_camera_from_object,
   return result;
 }
 
-Refiner::Result Refiner::refine_in(const ModelView& view, const Pose& start_camera_from_object,
-                                   double reach_px, const Appearance& appearance) const {
+Pose Refiner::refine_in(const ModelView& view, const Pose& start_camera_from_object,
+                        double reach_px, const Appearance& appearance) const {
   ContourMatch contour = match();
   contour.expect(to_center(start_camera_from_object), kFeigned);
-  const Pose pose =
-      follow(contour, &view, start_camera_from_object, reach_px, appearance, Care::quick);
-  return examine(contour, view, pose, appearance, view.contour.size());
+  return follow(contour, &view, start_camera_from_object, reach_px, appearance, Care::quick);
 }
 
 Pose Refiner::approach(const Pose& start_camera_from_object, const Appearance& appearance) const {
@@ -180,11 +178,12 @@ double Refiner::chance(const Pose& camera_from_object) const {
   return contour.edges_beside(kAside_px - kAsideReach_px, kAside_px + kAsideReach_px);
 }
 
-void Refiner::teach(const Pose& camera_from_object, Appearance& appearance) const {
-  if (smooth_.empty()) return;
+Refiner::Colours Refiner::colours(const Pose& camera_from_object,
+                                  const Appearance& appearance) const {
+  Colours colours;
+  if (smooth_.empty()) return colours;
   ContourMatch contour = match();
   contour.project(camera_from_object, views_.seen_from(camera_from_object), kAllPoints);
-  std::vector<std::uint16_t> object_bins, beside_bins;
   const ContourPoints& points = contour.points();
   const auto collect = [&](std::size_t i, int from, int to, std::vector<std::uint16_t>& bins) {
     for (int along = from; along <= to; ++along) {
@@ -199,10 +198,10 @@ void Refiner::teach(const Pose& camera_from_object, Appearance& appearance) cons
     if (points.inside_px[i] < 0) continue;  // no silhouette
     const int inside = std::min(static_cast<int>(points.inside_px[i]), kColourReach_px);
     const int outside = std::min(static_cast<int>(points.outside_px[i]), kColourReach_px);
-    collect(i, -inside, -kColourGap_px, object_bins);
-    collect(i, kColourGap_px, outside, beside_bins);
+    collect(i, -inside, -kColourGap_px, colours.object);
+    collect(i, kColourGap_px, outside, colours.beside);
   }
-  appearance.learn(object_bins, beside_bins);
+  return colours;
 }
 
 }  // namespace anneal6d

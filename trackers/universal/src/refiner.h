@@ -3,7 +3,9 @@
 #pragma once
 
 #include <array>
+#include <cstdint>
 #include <opencv2/core/mat.hpp>
+#include <vector>
 
 #include "anneal6d/framework/camera_model.h"
 #include "appearance.h"
@@ -53,9 +55,9 @@ class Refiner {
                 double reach_px, const Appearance& appearance, Care care = Care::full) const;
 
   /// The same, quick, with the contour of `view`, drawn at a pose nearby, instead of those of the
-  /// model's views; examined with all of it.
-  Result refine_in(const ModelView& view, const Pose& start_camera_from_object, double reach_px,
-                   const Appearance& appearance) const;
+  /// model's views; not examined.
+  Pose refine_in(const ModelView& view, const Pose& start_camera_from_object, double reach_px,
+                 const Appearance& appearance) const;
 
   /// Comes nearer to where colours that were learned put the object's outline: from farther than
   /// refine(), which edges of the background lead astray there, but not as close. The same pose if
@@ -81,8 +83,17 @@ class Refiner {
   /// belong, 0..1: in a cluttered image edges confirm little.
   double chance(const Pose& camera_from_object) const;
 
-  /// Teaches the colours on both sides of the silhouette.
-  void teach(const Pose& camera_from_object, Appearance& appearance) const;
+  /// The colours on both sides of the silhouette, as bins of `appearance` to be learned.
+  struct Colours {
+    std::vector<std::uint16_t> object, beside;
+  };
+  Colours colours(const Pose& camera_from_object, const Appearance& appearance) const;
+
+  /// Lets `appearance` learn them.
+  void teach(const Pose& camera_from_object, Appearance& appearance) const {
+    const Colours seen = colours(camera_from_object, appearance);
+    appearance.learn(seen.object, seen.beside);
+  }
 
  private:
   Pose to_center(const Pose& camera_from_object) const;

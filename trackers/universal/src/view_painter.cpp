@@ -82,9 +82,12 @@ float ViewPainter::depth_at(const Eigen::Vector2d& image_px) const {
 ModelView ViewPainter::paint_contour(const Pose& camera_from_object, std::size_t most_samples,
                                      std::uint32_t seed, Workers& workers) {
   ModelView view;
-  region_ = rasterizer_.draw(camera_from_object, 8);
+  workers.each(2, 1, [&](std::size_t part) {
+    if (part == 1) return extractor_.pick_edges(camera_from_object);
+    region_ = rasterizer_.draw(camera_from_object, 8);
+    if (!region_.empty()) rasterizer_.take_images(grey_, depth_mm_);
+  });
   if (region_.empty()) return view;
-  rasterizer_.take_images(grey_, depth_mm_);
   workers.each(2, 1, [&](std::size_t part) {
     if (part == 0) {
       extractor_.extract({camera_from_object, camera_, region_, grey_, depth_mm_}, kSpacing_px,
