@@ -12,6 +12,7 @@
 
 #include "anneal6d/framework/shading.h"
 #include "ridge.h"
+#include "ridge_kernels.h"
 
 namespace anneal6d {
 namespace {
@@ -83,15 +84,22 @@ ContourExtractor::ContourExtractor(const TriangleMesh& mesh)
   }
 }
 
+std::uint8_t* ContourExtractor::cell_of(double x, double y, const Region& region,
+                                        double spacing_px) {
+  const int columns = static_cast<int>(region.width / spacing_px) + 1;
+  const int column = static_cast<int>(x / spacing_px), row = static_cast<int>(y / spacing_px);
+  const auto cell = static_cast<std::size_t>(row) * static_cast<std::size_t>(columns) +
+                    static_cast<std::size_t>(column);
+  if (column < 0 || row < 0 || column >= columns || cell >= cells_.size()) return nullptr;
+  return &cells_[cell];
+}
+
 bool ContourExtractor::claim_cell(const Eigen::Vector2d& image_px, const Region& region,
                                   double spacing_px) {
-  const int columns = static_cast<int>(region.width / spacing_px) + 1;
-  const int x = static_cast<int>((image_px.x() - region.x) / spacing_px);
-  const int y = static_cast<int>((image_px.y() - region.y) / spacing_px);
-  const auto cell =
-      static_cast<std::size_t>(y) * static_cast<std::size_t>(columns) + static_cast<std::size_t>(x);
-  if (x < 0 || y < 0 || x >= columns || cell >= cells_.size() || cells_[cell]) return false;
-  cells_[cell] = 1;
+  std::uint8_t* const cell =
+      cell_of(image_px.x() - region.x, image_px.y() - region.y, region, spacing_px);
+  if (!cell || *cell) return false;
+  *cell = 1;
   return true;
 }
 
@@ -101,6 +109,11 @@ void ContourExtractor::extract(const View& view, double spacing_px, bool texture
   const auto columns = static_cast<std::size_t>(view.region.width / spacing_px) + 1;
   const auto rows = static_cast<std::size_t>(view.region.height / spacing_px) + 1;
   cells_.assign(columns * rows, 0);
+  const Pose& pose = view.camera_from_object;
+  if (!picked_at_ || picked_at_->rotation.coeffs() != pose.rotation.coeffs() ||
+      picked_at_->translation_mm != pose.translation_mm) {
+    pick_edges(pose);
+  }
   const std::vector<SurfaceBends::Bend>* bends = nullptr;
   workers.each(3, 1, [&](std::size_t part) {
     if (part == 0) {
@@ -119,6 +132,7 @@ void ContourExtractor::extract(const View& view, double spacing_px, bool texture
 }
 
 void ContourExtractor::pick_edges(const Pose& camera_from_object) {
+  picked_at_ = camera_from_object;
   object_from_camera_ = camera_from_object.inverse();
   const Eigen::Vector4f camera = object_from_camera_.translation_mm.homogeneous().cast<float>();
   height_a_.noalias() = planes_a_ * camera;
@@ -261,32 +275,37 @@ void ContourExtractor::add_bends(const View& view, const std::vector<SurfaceBend
 void ContourExtractor::add_texture_edges(const View& view, double spacing_px,
                                          std::vector<ContourPoint>& points) {
   squared_.create(along_x_.size(), CV_32SC1);
-  for (int y = 0; y < view.region.height; ++y) {
-    const auto *const u = along_x_.ptr<short>(y), *const v = along_y_.ptr<short>(y);
-    auto* const squared = squared_.ptr<int>(y);
-    for (int x = 0; x < view.region.width; ++x) squared[x] = u[x] * u[x] + v[x] * v[x];
-  }
-  const std::ptrdiff_t below = static_cast<std::ptrdiff_t>(squared_.step1());
-  for (int y = 2; y < view.region.height - 2; ++y) {
-    const auto *const u = along_x_.ptr<short>(y), *const v = along_y_.ptr<short>(y);
-    for (int x = 2; x < view.region.width - 2; ++x) {
-      const int* const squared = squared_.ptr<int>(y) + x;
-      if (*squared < kTextureGradient * kTextureGradient) continue;
-      // Ridge of the gradient along the stronger axis, then its place between pixels.
-      const int sx = std::abs(u[x]) >= std::abs(v[x]) ? 1 : 0, sy = 1 - sx;
-      const std::ptrdiff_t next = sx ? 1 : below;
-      if (*squared < squared[-next] || *squared <= squared[next]) continue;
-      // Next to a depth edge the picture shows the silhouette, which the mesh gives better.
-      if (near_depth_edge(view.depth_mm, x, y, kSilhouetteDepth * diameter_mm_)) continue;
-      const double before = std::sqrt(squared[-next]), after = std::sqrt(squared[next]);
-      const double here = std::sqrt(*squared);
-      const double offset = ridge_offset(before, here, after);
-      const Eigen::Vector2d image_px(view.region.x + x + sx * offset,
-                                     view.region.y + y + sy * offset);
-      const Eigen::Vector2d gradient(u[x], v[x]);
-      add_surface_point(view, image_px, view.depth_mm.at<float>(y, x), spacing_px,
-                        {.object_mm = {}, .normal = gradient / here, .texture = true}, points);
-    }
+  places_.resize(along_x_.total());
+  const auto stride = static_cast<std::ptrdiff_t>(squared_.step1());
+  const std::size_t count = find_ridges({.along_x = along_x_.ptr<short>(),
+                                         .along_y = along_y_.ptr<short>(),
+                                         .stride = stride,
+                                         .columns = along_x_.cols,
+                                         .rows = along_x_.rows,
+                                         .margin = 2,
+                                         .least = kTextureGradient * kTextureGradient,
+                                         .squared = squared_.ptr<int>(),
+                                         .places = places_.data()});
+  for (std::size_t i = 0; i < count; ++i) {
+    const auto columns = static_cast<std::uint32_t>(along_x_.cols);
+    const int x = static_cast<int>(places_[i] % columns);
+    const int y = static_cast<int>(places_[i] / columns);
+    const std::uint8_t* const cell = cell_of(x, y, view.region, spacing_px);
+    if (cell && *cell) continue;
+    // Next to a depth edge the picture shows the silhouette, which the mesh gives better.
+    if (near_depth_edge(view.depth_mm, x, y, kSilhouetteDepth * diameter_mm_)) continue;
+    const Eigen::Vector2d gradient(along_x_.at<short>(y, x), along_y_.at<short>(y, x));
+    // The ridge along the stronger axis, and its place between pixels.
+    const int sx = std::abs(gradient.x()) >= std::abs(gradient.y()) ? 1 : 0, sy = 1 - sx;
+    const int* const squared = squared_.ptr<int>(y) + x;
+    const std::ptrdiff_t next = sx ? 1 : stride;
+    const double before = std::sqrt(squared[-next]), after = std::sqrt(squared[next]);
+    const double here = std::sqrt(*squared);
+    const double offset = ridge_offset(before, here, after);
+    const Eigen::Vector2d image_px(view.region.x + x + sx * offset,
+                                   view.region.y + y + sy * offset);
+    add_surface_point(view, image_px, view.depth_mm.at<float>(y, x), spacing_px,
+                      {.object_mm = {}, .normal = gradient / here, .texture = true}, points);
   }
 }
 

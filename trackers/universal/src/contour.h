@@ -5,6 +5,7 @@
 #include <Eigen/Core>
 #include <cstdint>
 #include <opencv2/core/mat.hpp>
+#include <optional>
 #include <vector>
 
 #include "anneal6d/framework/camera_model.h"
@@ -45,11 +46,13 @@ class ContourExtractor {
     const cv::Mat& depth_mm;
   };
 
-  /// Picks the edges of the mesh that may be part of the contour at a pose. Needs no picture.
+  /// Picks the edges of the mesh that may be part of the contour at a pose. Needs no picture, so
+  /// that it can be done beside drawing; else extract() does it.
   void pick_edges(const Pose& camera_from_object);
 
-  /// For the pose of which edges were picked: replaces `points` by visible ones, about one in `spacing_px` pixels along each edge.
-  /// `texture_edges`: also where the rendered brightness jumps.
+  /// Replaces `points` by visible ones, about one in
+  /// `spacing_px` pixels along each edge. `texture_edges`: also where the rendered brightness
+  /// jumps.
   void extract(const View& view, double spacing_px, bool texture_edges, Workers& workers,
                std::vector<ContourPoint>& points);
 
@@ -66,6 +69,8 @@ class ContourExtractor {
                  std::vector<ContourPoint>& points);
   /// Takes the gradients of the view's brightness.
   void add_texture_edges(const View& view, double spacing_px, std::vector<ContourPoint>& points);
+  /// The cell of a place of the region, pixels; null if there is none.
+  std::uint8_t* cell_of(double x, double y, const Region& region, double spacing_px);
   bool claim_cell(const Eigen::Vector2d& image_px, const Region& region, double spacing_px);
   bool is_crowded(const ContourPoint& point, const View& view) const;
 
@@ -76,15 +81,17 @@ class ContourExtractor {
 
   std::vector<MeshEdge> edges_;
   Planes planes_a_, planes_b_;
-  Pose object_from_camera_;                ///< of the pose
-  Eigen::VectorXf height_a_, height_b_;    ///< of the camera
-  std::vector<std::uint32_t> picked_;      ///< edges that may be part of the contour
+  std::optional<Pose> picked_at_;        ///< camera_from_object
+  Pose object_from_camera_;              ///< there
+  Eigen::VectorXf height_a_, height_b_;  ///< of the camera
+  std::vector<std::uint32_t> picked_;    ///< edges that may be part of the contour
   double diameter_mm_;
   bool bent_ = false;                ///< the surface has bends that are no creases
   std::vector<std::uint8_t> cells_;  ///< where points were placed already
   cv::Mat drawn_;                    ///< pixels of the region that visible edges of the mesh cross
   cv::Mat along_x_, along_y_;        ///< gradients of the brightness
   cv::Mat squared_;                  ///< and their squared lengths
+  std::vector<std::uint32_t> places_;  ///< see RidgeJob
   SurfaceBends bends_;
 };
 

@@ -162,13 +162,13 @@ void Rasterizer::take_grey(cv::Mat& grey) {
 
 void Rasterizer::take_images(cv::Mat& grey, cv::Mat& depth_mm) {
   depth_mm.create(region_.height, region_.width, CV_32FC1);
+  const float scale = 1.0F / depth_scale_;
   for (int y = 0; y < region_.height; ++y) {
     const std::uint32_t* const line = row_of_pixels(y);
     auto* const depth_row = depth_mm.ptr<float>(y);
     for (int x = 0; x < region_.width; ++x) {
-      depth_row[x] = line[x] == 0
-                         ? 0.0F
-                         : 1.0F / ((depth_of_pixel(line[x]) - kFarDepth) / depth_scale_ + inv_far_);
+      const float depth = 1.0F / ((depth_of_pixel(line[x]) - kFarDepth) * scale + inv_far_);
+      depth_row[x] = line[x] == 0 ? 0.0F : depth;
     }
   }
   take_grey(grey);

@@ -5,8 +5,8 @@
 #include <algorithm>
 #include <array>
 #include <cmath>
-#include <opencv2/imgproc.hpp>
 
+#include "blur_kernels.h"
 #include "contour_match.h"
 
 namespace anneal6d {
@@ -60,10 +60,7 @@ void Refiner::set_image(const cv::Mat& image, const cv::Rect& window) {
   workers_.each(kStrips, 1, [&](std::size_t strip) {
     const int from = seen.height * static_cast<int>(strip) / kStrips;
     const int to = seen.height * static_cast<int>(strip + 1) / kStrips;
-    const cv::Range rows(seen.y + from, seen.y + to), columns(seen.x, seen.br().x);
-    cv::Mat smooth = smooth_.rowRange(from, to);
-    cv::GaussianBlur(image(rows, columns), smooth, {5, 5}, kEdgeBlur_px, kEdgeBlur_px,
-                     cv::BORDER_REPLICATE);
+    blur_rows(image, seen, from, to, smooth_);
   });
 }
 
