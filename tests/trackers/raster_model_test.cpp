@@ -37,9 +37,10 @@ SharedMesh turned_inside_out(const SharedMesh& mesh) {
 /// How many triangles have the point on their outer side.
 int facing(const RasterModel& model, const Eigen::Vector3f& point_mm) {
   int count = 0;
-  for (std::size_t t = 0; t < model.triangles.size(); ++t) {
-    const Eigen::Vector3f normal(model.plane_x[t], model.plane_y[t], model.plane_z[t]);
-    count += normal.dot(point_mm) > model.plane_mm[t];
+  for (std::size_t i = 0; i < model.faces.size(); ++i) {
+    const Eigen::Vector3f normal(model.plane_x[i], model.plane_y[i], model.plane_z[i]);
+    const int triangles = model.faces[i].is_pair() ? 2 : 1;
+    if (normal.dot(point_mm) > model.plane_mm[i]) count += triangles;
   }
   return count;
 }

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 // Copyright (c) 2026 The Anneal6D authors
 //
-// Filling of triangles, for each of Highway's targets: included by raster_triangles.cpp only.
+// Filling of faces, for each of Highway's targets: included by raster_triangles.cpp only.
 #if defined(ANNEAL6D_RASTER_FILL_INL_H_) == defined(HWY_TARGET_TOGGLE)
 #ifdef ANNEAL6D_RASTER_FILL_INL_H_
 #undef ANNEAL6D_RASTER_FILL_INL_H_
@@ -22,137 +22,151 @@ namespace anneal6d {
 namespace HWY_NAMESPACE {
 namespace hn = hwy::HWY_NAMESPACE;
 
-using PU = hn::RebindToUnsigned<F>;
-constexpr PU pu;
-using VU = hn::Vec<PU>;
-
 /// Bilinear texture brightness at texture coordinates u, v with repeat.
-HWY_INLINE VF SampleTexture(const QuadTexture& texture, VF u, VF v) {
-  const auto wrap = [](VF t, int size, hn::Vec<I>& cell, VF& fraction) {
-    const VF extent = hn::Set(f, static_cast<float>(size));
-    const VF position = hn::MulSub(hn::Sub(t, hn::Floor(t)), extent, hn::Set(f, 0.5F));
-    const VF floor = hn::Floor(position);
+template <class Tag>
+HWY_INLINE hn::Vec<Tag> SampleTexture(Tag tag, const QuadTexture& texture, hn::Vec<Tag> u,
+                                      hn::Vec<Tag> v) {
+  const hn::RebindToSigned<Tag> whole;
+  const hn::RebindToUnsigned<Tag> bits;
+  using V = hn::Vec<Tag>;
+  const auto wrap = [&](V t, int size, hn::Vec<decltype(whole)>& cell, V& fraction) {
+    const V extent = hn::Set(tag, static_cast<float>(size));
+    const V position = hn::MulSub(hn::Sub(t, hn::Floor(t)), extent, hn::Set(tag, 0.5F));
+    const V floor = hn::Floor(position);
     fraction = hn::Sub(position, floor);
-    const auto index = hn::ConvertTo(si, floor);
-    const auto wrapped = hn::IfThenElse(hn::Lt(index, hn::Zero(si)), hn::Set(si, size - 1), index);
-    cell = hn::Min(wrapped, hn::Set(si, size - 1));
+    const auto index = hn::ConvertTo(whole, floor);
+    const auto last = hn::Set(whole, size - 1);
+    cell = hn::Min(hn::IfThenElse(hn::Lt(index, hn::Zero(whole)), last, index), last);
   };
-  hn::Vec<I> column, row;
-  VF across, down;
+  hn::Vec<decltype(whole)> column, row;
+  V across, down;
   wrap(u, texture.width, column, across);
   wrap(v, texture.height, row, down);
-  const auto index = hn::Add(hn::Mul(row, hn::Set(si, texture.width)), column);
-  const auto quad = hn::GatherIndex(pu, texture.quads.data(), index);
-  const auto byte = hn::Set(pu, 0xFF);
-  const auto texel = [&](auto bits) {
-    return hn::ConvertTo(f, hn::BitCast(si, hn::And(bits, byte)));
+  const auto index = hn::Add(hn::Mul(row, hn::Set(whole, texture.width)), column);
+  const auto quad = hn::GatherIndex(bits, texture.quads.data(), index);
+  const auto texel = [&](auto shifted) {
+    return hn::ConvertTo(tag, hn::BitCast(whole, hn::And(shifted, hn::Set(bits, 0xFF))));
   };
-  const VF t00 = texel(quad), t10 = texel(hn::ShiftRight<8>(quad));
-  const VF t01 = texel(hn::ShiftRight<16>(quad)), t11 = texel(hn::ShiftRight<24>(quad));
-  const VF upper = hn::MulAdd(hn::Sub(t10, t00), across, t00);
-  const VF lower = hn::MulAdd(hn::Sub(t11, t01), across, t01);
+  const V t00 = texel(quad), t10 = texel(hn::ShiftRight<8>(quad));
+  const V t01 = texel(hn::ShiftRight<16>(quad)), t11 = texel(hn::ShiftRight<24>(quad));
+  const V upper = hn::MulAdd(hn::Sub(t10, t00), across, t00);
+  const V lower = hn::MulAdd(hn::Sub(t11, t01), across, t01);
   return hn::MulAdd(hn::Sub(lower, upper), down, upper);
 }
 
-/// Pixels of triangle i of a group, `along` pixels behind the first of their rows; 0 outside.
-/// `of_row` makes a vector of what is said of rows.
-template <bool kTextured, bool kNeedle, class OfRow>
-HWY_INLINE VU PixelsOf(const TriangleJob& job, const Group& g, const Rows& rows, std::size_t i,
-                       VF along, const OfRow& of_row) {
-  VF depth = hn::MulAdd(along, hn::Set(f, g.depth.step[i]), of_row(rows.depth));
-  VF grey = hn::MulAdd(along, hn::Set(f, g.grey.step[i]), of_row(rows.grey));
+/// Pixels of face i of a group, `along` pixels behind the first of their rows; 0 outside. `of_row`
+/// makes a vector of what is said of rows.
+template <bool kTextured, bool kNeedle, class Tag, class OfRow>
+HWY_INLINE auto PixelsOf(Tag tag, const TriangleJob& job, const Group& g, std::size_t i,
+                         hn::Vec<Tag> along, const OfRow& of_row) {
+  using V = hn::Vec<Tag>;
+  const hn::RebindToUnsigned<Tag> bits;
+  const auto value = [&](const Plane& plane, Row::Values Row::*first) {
+    return hn::MulAdd(along, hn::Set(tag, plane.step[i]), of_row(first));
+  };
+  V depth = value(g.depth, &Row::depth);
+  V grey = hn::Max(value(g.grey1, &Row::grey1), value(g.grey2, &Row::grey2));
   if constexpr (kNeedle) {
-    const auto clamp = [&](VF value, const Planes& planes) {
-      return hn::Min(hn::Max(value, hn::Set(f, planes.least[i])), hn::Set(f, planes.most[i]));
+    const auto clamp = [&](V v, const Limits& limits) {
+      return hn::Min(hn::Max(v, hn::Set(tag, limits.least[i])), hn::Set(tag, limits.most[i]));
     };
-    depth = clamp(depth, g.depth);
-    grey = clamp(grey, g.grey);
+    depth = clamp(depth, g.depth_limits);
+    grey = clamp(grey, g.grey_limits);
   }
   if constexpr (kTextured) {
-    const VF inv_z = hn::MulAdd(hn::Sub(depth, hn::Set(f, kFarDepth)),
-                                hn::Set(f, 1.0F / job.depth_scale), hn::Set(f, job.inv_far));
-    const VF z_mm = hn::Div(hn::Set(f, 1.0F), inv_z);
-    const VF u = hn::MulAdd(along, hn::Set(f, g.u.step[i]), of_row(rows.u));
-    const VF v = hn::MulAdd(along, hn::Set(f, g.v.step[i]), of_row(rows.v));
-    grey = hn::Mul(grey, SampleTexture(*job.texture, hn::Mul(u, z_mm), hn::Mul(v, z_mm)));
+    const V inv_z = hn::MulAdd(hn::Sub(depth, hn::Set(tag, kFarDepth)),
+                               hn::Set(tag, 1.0F / job.depth_scale), hn::Set(tag, job.inv_far));
+    const V z_mm = hn::Div(hn::Set(tag, 1.0F), inv_z);
+    const V u = value(g.u, &Row::u), v = value(g.v, &Row::v);
+    grey = hn::Mul(grey, SampleTexture(tag, *job.texture, hn::Mul(u, z_mm), hn::Mul(v, z_mm)));
   }
   // Adding 1.5 * 2^23 leaves the rounded number in the lowest bits, for a third of the price of the
   // conversion.
-  const auto rounded = hn::BitCast(pu, hn::Add(grey, hn::Set(f, 12582912.0F)));
-  const auto pixel =
-      hn::OrAnd(hn::ShiftLeft<8>(hn::BitCast(pu, depth)), rounded, hn::Set(pu, 0xFF));
-  const auto inside = hn::RebindMask(pu, hn::Lt(along, of_row(rows.width)));
-  return hn::IfThenElseZero(inside, pixel);
+  const V rounded = hn::MulAdd(grey, hn::Set(tag, g.sign[i]), hn::Set(tag, 12582912.0F));
+  const auto pixels = hn::OrAnd(hn::ShiftLeft<8>(hn::BitCast(bits, depth)),
+                                hn::BitCast(bits, rounded), hn::Set(bits, 0xFF));
+  const auto inside = hn::RebindMask(bits, hn::Lt(along, of_row(&Row::width)));
+  return hn::IfThenElseZero(inside, pixels);
 }
 
 /// Draws pixels over others: nearer is larger, so that the depth test is a maximum.
-template <class Tag>
-HWY_INLINE void DrawOver(Tag tag, hn::Vec<Tag> pixels, std::uint32_t* at) {
+template <class Pixels>
+HWY_INLINE void DrawOver(Pixels pixels, std::uint32_t* at) {
+  const hn::DFromV<Pixels> tag;
   hn::StoreU(hn::Max(hn::LoadU(tag, at), pixels), tag, at);
 }
 
-/// Fills rows of triangle i of a group, a vector of pixels at a time; without kWide none is longer.
-template <bool kTextured, bool kNeedle, bool kWide>
-HWY_INLINE void FillRows(const TriangleJob& job, const Group& g, const Rows& rows, std::size_t i,
-                         int count) {
-  const VF lanes = hn::Set(f, static_cast<float>(hn::Lanes(f)));
+/// Fills rows of face i of a group, a vector of pixels at a time; without kWide none is longer.
+template <bool kTextured, bool kNeedle, bool kWide, class Tag>
+HWY_INLINE void FillRows(Tag tag, const TriangleJob& job, const Group& g, const Row* rows,
+                         std::size_t i, int count) {
+  std::uint32_t* const drawing = job.pixels;
+  const auto lanes = static_cast<float>(hn::Lanes(tag));
   for (int r = 0; r < count; ++r) {
-    const auto of_row = [&](const Rows::Values& values) { return hn::Set(f, values[r][i]); };
-    std::uint32_t* at = job.pixels + rows.place[r][i];
-    VF along = hn::Iota(f, 0.0F);
+    const Row& row = rows[r];
+    const auto of_row = [&](Row::Values Row::*values) { return hn::Set(tag, (row.*values)[i]); };
+    std::uint32_t* at = drawing + row.place[i];
+    auto along = hn::Iota(tag, 0.0F);
     float x = 0;
     do {
-      DrawOver(pu, PixelsOf<kTextured, kNeedle>(job, g, rows, i, along, of_row), at);
-      along = hn::Add(along, lanes);
-      at += hn::Lanes(f);
-      x += static_cast<float>(hn::Lanes(f));
-    } while (kWide && x < rows.width[r][i]);
+      DrawOver(PixelsOf<kTextured, kNeedle>(tag, job, g, i, along, of_row), at);
+      along = hn::Add(along, hn::Set(tag, lanes));
+      at += hn::Lanes(tag);
+      x += lanes;
+    } while (kWide && x < row.width[i]);
   }
 }
 
-/// The same for rows of at most kNarrow pixels, two at a time.
+/// Fills rows that fit a narrow vector. With texture, where a pixel takes long, two at a time in
+/// vectors twice as wide.
 template <bool kTextured>
-HWY_INLINE void FillPairsOfRows(const TriangleJob& job, const Group& g, const Rows& rows,
-                                std::size_t i, int count) {
+HWY_INLINE void FillNarrowRows(const TriangleJob& job, const Group& g, const Row* rows,
+                               std::size_t i, int count) {
 #if HWY_MAX_BYTES == 64
-  const hn::Half<PU> row;
-  const auto second = hn::Ge(hn::Iota(f, 0.0F), hn::Set(f, float{kNarrow}));
-  const VF along =
-      hn::Sub(hn::Iota(f, 0.0F), hn::IfThenElseZero(second, hn::Set(f, float{kNarrow})));
-  for (int r = 0; r < count; r += 2) {
-    const auto of_row = [&](const Rows::Values& values) {
-      return hn::IfThenElse(second, hn::Set(f, values[r + 1][i]), hn::Set(f, values[r][i]));
-    };
-    const VU pixels = PixelsOf<kTextured, false>(job, g, rows, i, along, of_row);
-    DrawOver(row, hn::LowerHalf(row, pixels), job.pixels + rows.place[r][i]);
-    DrawOver(row, hn::UpperHalf(row, pixels), job.pixels + rows.place[r + 1][i]);
+  if constexpr (kTextured) {
+    constexpr auto kHalf = static_cast<float>(hn::MaxLanes(narrow));
+    const hn::Half<hn::RebindToUnsigned<F>> half;
+    const auto second = hn::Ge(hn::Iota(f, 0.0F), hn::Set(f, kHalf));
+    const VF along = hn::Sub(hn::Iota(f, 0.0F), hn::IfThenElseZero(second, hn::Set(f, kHalf)));
+    for (int r = 0; r + 1 < count; r += 2) {
+      const Row &upper = rows[r], &lower = rows[r + 1];
+      const auto of_row = [&](Row::Values Row::*values) {
+        return hn::IfThenElse(second, hn::Set(f, (lower.*values)[i]),
+                              hn::Set(f, (upper.*values)[i]));
+      };
+      const auto pixels = PixelsOf<kTextured, false>(f, job, g, i, along, of_row);
+      DrawOver(hn::LowerHalf(half, pixels), job.pixels + upper.place[i]);
+      DrawOver(hn::UpperHalf(half, pixels), job.pixels + lower.place[i]);
+    }
+    rows += count & ~1;
+    count &= 1;
   }
-#else
-  FillRows<kTextured, false, false>(job, g, rows, i, count);
 #endif
+  FillRows<kTextured, false, false>(narrow, job, g, rows, i, count);
 }
 
-/// Draws the triangles of a batch and empties it.
+/// Draws the faces of a batch and empties it.
 template <bool kTextured>
 void DrawBatch(const TriangleJob& job, Batch& batch) {
+  constexpr int kRows = 64;  // found at a time
   Group group;
-  Rows rows;
+  Row rows[kRows];
   for (std::size_t first = 0; first < batch.count; first += hn::Lanes(f)) {
     SetUp<kTextured>(job, batch, first, group);
     if (group.drawn == 0) continue;
-    for (int row = 0; row < group.tallest; row += Rows::kMost) {
-      FindRows<kTextured>(job, group, row, std::min(Rows::kMost, group.tallest - row), rows);
+    for (int row = 0; row < group.tallest; row += kRows) {
+      FindRows<kTextured>(job, group, row, std::min(kRows, group.tallest - row), rows);
       for (std::uint64_t drawn = group.drawn; drawn; drawn &= drawn - 1) {
         const auto i = static_cast<std::size_t>(std::countr_zero(drawn));
-        const int count = std::min(Rows::kMost, group.height[i] - row);
+        const int count = std::clamp(group.height[i] - row, 0, kRows);
         if (group.needles >> i & 1) [[unlikely]] {
-          FillRows<kTextured, true, true>(job, group, rows, i, count);
+          FillRows<kTextured, true, true>(f, job, group, rows, i, count);
         } else if (group.narrow >> i & 1) {
-          FillPairsOfRows<kTextured>(job, group, rows, i, count);
+          FillNarrowRows<kTextured>(job, group, rows, i, count);
         } else if (group.wide >> i & 1) {
-          FillRows<kTextured, false, true>(job, group, rows, i, count);
+          FillRows<kTextured, false, true>(f, job, group, rows, i, count);
         } else {
-          FillRows<kTextured, false, false>(job, group, rows, i, count);
+          FillRows<kTextured, false, false>(f, job, group, rows, i, count);
         }
       }
     }

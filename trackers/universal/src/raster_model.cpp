@@ -89,7 +89,7 @@ void pad(std::vector<float>& values) {
 RasterModel::RasterModel(std::shared_ptr<const TriangleMesh> source, bool textured)
     : mesh(std::move(source)),
       vertex_count(mesh->vertices().size()),
-      triangles(mesh->triangles().begin(), mesh->triangles().end()),
+      faces(faces_of(*mesh, textured && mesh->has_texture())),
       patterned(false) {
   const bool has_texture = textured && mesh->has_texture();
   const Eigen::Vector3f tint = mesh->vertices().front().albedo_bgr;
@@ -124,16 +124,17 @@ RasterModel::RasterModel(std::shared_ptr<const TriangleMesh> source, bool textur
 
 void RasterModel::add_planes() {
   const std::vector<int> windings = windings_of(*mesh);
-  for (std::size_t t = 0; t < triangles.size(); ++t) {
+  for (const Face& face : faces) {
     const auto corner = [&](int c) -> Eigen::Vector3d {
-      return mesh->vertices()[triangles[t][c]].position_mm.cast<double>();
+      return mesh->vertices()[face.corners[c]].position_mm.cast<double>();
     };
+    const int winding = windings[face.triangle];
     const Eigen::Vector3d normal =
-        windings[t] * (corner(1) - corner(0)).cross(corner(2) - corner(0)).normalized();
+        winding * (corner(2) - corner(0)).cross(corner(3) - corner(1)).normalized();
     plane_x.push_back(static_cast<float>(normal.x()));
     plane_y.push_back(static_cast<float>(normal.y()));
     plane_z.push_back(static_cast<float>(normal.z()));
-    plane_mm.push_back(windings[t] == 0 ? -1.0F : static_cast<float>(normal.dot(corner(0))));
+    plane_mm.push_back(winding == 0 ? -1.0F : static_cast<float>(normal.dot(corner(0))));
   }
   for (auto* values : {&plane_x, &plane_y, &plane_z, &plane_mm}) pad(*values);
 }

@@ -8,6 +8,7 @@
 
 #include "anneal6d/framework/shading.h"
 #include "anneal6d/framework/triangle_mesh.h"
+#include "raster_faces.h"
 
 namespace anneal6d {
 
@@ -31,12 +32,12 @@ struct RasterModel {
   std::vector<float> x, y, z, nx, ny, nz;
   std::vector<float> luma;  ///< 0..255, brightness at full light
   std::vector<float> u, v;  ///< empty without texture
-  std::vector<Triangle> triangles;
+  std::vector<Face> faces;
   std::vector<QuadTexture> textures;  ///< one a level; empty without texture
   bool patterned;                     ///< has a texture, or vertices of different brightness
-  /// Of each triangle the plane: a point is outside where its product with the unit normal
+  /// Of each face the plane: a point is outside where its product with the unit normal
   /// (x, y, z) is larger than `plane_mm`. From outside a closed surface, those of its faces that
-  /// are turned away are hidden and can be skipped. Every point is outside of triangles of an open
+  /// are turned away are hidden and can be skipped. Every point is outside of faces of an open
   /// surface (0, 0, 0; -1), which are seen from both sides.
   std::vector<float> plane_x, plane_y, plane_z, plane_mm;
 

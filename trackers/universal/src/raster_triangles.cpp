@@ -32,15 +32,26 @@ HWY_INLINE Corner CornerOf(const TriangleJob& job, std::uint32_t vertex) {
 }
 
 template <bool kTextured>
-HWY_INLINE void Append(Batch& batch, const Corner& a, const Corner& b, const Corner& c) {
+HWY_INLINE void Append(Batch& batch, const Corner& a, const Corner& b, const Corner& c,
+                       const Corner& d) {
   int k = 0;
-  for (const Corner* corner : {&a, &b, &c}) {
+  for (const Corner* corner : {&a, &b, &c, &d}) {
     batch.vertex[k][batch.count] = corner->vertex;
     if constexpr (kTextured) batch.texture[k][batch.count] = corner->texture;
     ++k;
   }
   ++batch.count;
 }
+
+template <bool kTextured>
+HWY_INLINE void AppendWhole(const TriangleJob& job, const Face& face, Batch& batch) {
+  const auto& [a, b, c, d] = face.corners;
+  Append<kTextured>(batch, CornerOf<kTextured>(job, a), CornerOf<kTextured>(job, b),
+                    CornerOf<kTextured>(job, c), CornerOf<kTextured>(job, d));
+}
+
+/// Entries of a batch that a face may take where the near plane cuts it: two a triangle.
+constexpr std::size_t kMostOfAFace = 4;
 
 /// Cuts the part of a triangle before the near plane out and appends what remains of it.
 template <bool kTextured>
@@ -73,7 +84,23 @@ void AppendClipped(const TriangleJob& job, const Triangle& t, Batch& batch) {
     polygon[count++] = cut;
   }
   for (int i = 2; i < count; ++i) {
-    Append<kTextured>(batch, polygon[0], polygon[i - 1], polygon[i]);
+    Append<kTextured>(batch, polygon[0], polygon[i - 1], polygon[i], polygon[i]);
+  }
+}
+
+/// Appends what is before the near plane of a face, if anything.
+template <bool kTextured>
+void AppendBeforeNearPlane(const TriangleJob& job, const Face& face, Batch& batch) {
+  const auto& [a, b, c, d] = face.corners;
+  int before = 0;
+  for (const std::uint32_t corner : face.corners) {
+    before += job.camera_z[corner] >= static_cast<float>(kNearPlane_mm);
+  }
+  if (before == 4) {
+    AppendWhole<kTextured>(job, face, batch);
+  } else if (before > 0) {
+    AppendClipped<kTextured>(job, {a, b, c}, batch);
+    if (face.is_pair()) AppendClipped<kTextured>(job, {a, c, d}, batch);
   }
 }
 
@@ -83,9 +110,10 @@ void DrawAll(const TriangleJob& job) {
   // Where the near plane cuts a closed surface open, one looks at its inner side.
   const bool cull = !job.clip;
   const std::size_t lanes = hn::Lanes(f);
+  const std::size_t most = (job.clip ? kMostOfAFace : 1) * lanes;  // that a vector of faces appends
   Batch batch;
-  for (std::size_t first = 0; first < m.triangles.size(); first += lanes) {
-    auto facing = hn::FirstN(f, m.triangles.size() - first);
+  for (std::size_t first = 0; first < m.faces.size(); first += lanes) {
+    auto facing = hn::FirstN(f, m.faces.size() - first);
     if (cull) {
       // In the object frame, where planes lie in sequence: no corner needs to be fetched.
       const VF height = hn::MulAdd(
@@ -95,21 +123,14 @@ void DrawAll(const TriangleJob& job) {
       facing = hn::And(facing, hn::Gt(height, hn::LoadU(f, &m.plane_mm[first])));
     }
     for (std::uint64_t bits = BitsOf(facing); bits; bits &= bits - 1) {
-      const Triangle& t = m.triangles[first + static_cast<std::size_t>(std::countr_zero(bits))];
+      const Face& face = m.faces[first + static_cast<std::size_t>(std::countr_zero(bits))];
       if (job.clip) {
-        constexpr float near = static_cast<float>(kNearPlane_mm);
-        const bool behind[] = {job.camera_z[t[0]] < near, job.camera_z[t[1]] < near,
-                               job.camera_z[t[2]] < near};
-        if (behind[0] && behind[1] && behind[2]) continue;
-        if (behind[0] || behind[1] || behind[2]) {
-          AppendClipped<kTextured>(job, t, batch);
-          continue;
-        }
+        AppendBeforeNearPlane<kTextured>(job, face, batch);
+      } else {
+        AppendWhole<kTextured>(job, face, batch);
       }
-      Append<kTextured>(batch, CornerOf<kTextured>(job, t[0]), CornerOf<kTextured>(job, t[1]),
-                        CornerOf<kTextured>(job, t[2]));
     }
-    if (batch.count + 2 * lanes > Batch::kCapacity) DrawBatch<kTextured>(job, batch);
+    if (batch.count + most > Batch::kCapacity) DrawBatch<kTextured>(job, batch);
   }
   DrawBatch<kTextured>(job, batch);
 }
