@@ -69,9 +69,9 @@ SharedMesh make_grid(std::uint32_t u_steps, double u_end_rad, std::uint32_t v_st
 }
 
 /// Ring around the object's z axis, smooth, closed.
-inline SharedMesh make_torus(double ring_mm, double tube_mm) {
+inline SharedMesh make_torus(double ring_mm, double tube_mm, std::uint32_t steps = 20) {
   const double turn = 2 * std::numbers::pi;
-  return make_grid(40, turn, 20, 0, turn, [&](double u, double v) {
+  return make_grid(2 * steps, turn, steps, 0, turn, [&](double u, double v) {
     const double radius_mm = ring_mm + tube_mm * std::cos(v);
     return vertex_at(static_cast<float>(radius_mm * std::cos(u)),
                      static_cast<float>(radius_mm * std::sin(u)),

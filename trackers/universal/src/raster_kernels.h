@@ -3,6 +3,7 @@
 #pragma once
 
 #include <bit>
+#include <cstddef>
 #include <cstdint>
 
 #include "anneal6d/framework/pose_scorer.h"
@@ -63,8 +64,10 @@ struct TriangleJob {
   float cx, cy;
   bool clip;                   ///< some triangles may cross the near plane
   const QuadTexture* texture;  ///< null: none
-  int x0, y0, x1, y1;          ///< the region, half-open, pixels
-  std::uint32_t* pixels;       ///< of (x0, y0)
+  /// Faces are dealt out, a vector of them at a time, to so many callers; this is one of them.
+  std::size_t part, parts;
+  int x0, y0, x1, y1;     ///< the region, half-open, pixels
+  std::uint32_t* pixels;  ///< of (x0, y0)
   int stride;
 };
 void draw_triangles(const TriangleJob& job);

@@ -10,6 +10,8 @@
 namespace anneal6d {
 namespace {
 
+constexpr std::size_t kWorthSharing = 3000;  // faces
+
 /// A pixel coordinate as a whole number within a range that no image leaves.
 int whole(float pixels) { return static_cast<int>(std::clamp(pixels, -1e6F, 1e6F)); }
 
@@ -36,7 +38,7 @@ Rasterizer::Rasterizer(const RasterModel& model, const CameraModel& camera, cons
   candidates_.resize(bits_.size());
 }
 
-Region Rasterizer::draw(const Pose& camera_from_object, int margin_px) {
+Region Rasterizer::draw(const Pose& camera_from_object, int margin_px, Workers* workers) {
   region_ = {};
   if (!camera_from_object.is_finite()) return region_;
   const Pose& pose = camera_from_object;
@@ -94,7 +96,7 @@ Region Rasterizer::draw(const Pose& camera_from_object, int margin_px) {
     texture = &model_.textures[static_cast<std::size_t>(
         model_.mesh->texture_level_for(camera_.fx_px / std::max(center_z, kNearPlane_mm)))];
   }
-  draw_triangles({.model = &model_,
+  TriangleJob job{.model = &model_,
                   .vertices = vertices_.data(),
                   .texture_points = texture_points_.data(),
                   .camera_z = camera_z_.data(),
@@ -105,13 +107,38 @@ Region Rasterizer::draw(const Pose& camera_from_object, int margin_px) {
                   .cy = vertices.cy,
                   .clip = clip,
                   .texture = texture,
+                  .part = 0,
+                  .parts = 1,
                   .x0 = x0,
                   .y0 = y0,
                   .x1 = x1,
                   .y1 = y1,
                   .pixels = pixels_.data(),
-                  .stride = stride_});
+                  .stride = stride_};
+  if (workers && model_.faces.size() >= kWorthSharing) {
+    draw_shared(job, *workers);
+  } else {
+    draw_triangles(job);
+  }
   return region_;
+}
+
+void Rasterizer::draw_shared(const TriangleJob& job, Workers& workers) {
+  other_pixels_.resize(pixels_.size());
+  workers.each(2, 1, [&](std::size_t part) {
+    TriangleJob half = job;
+    half.part = part;
+    half.parts = 2;
+    if (part == 1) half.pixels = other_pixels_.data();
+    draw_triangles(half);
+  });
+  const std::size_t words =
+      static_cast<std::size_t>(stride_) * static_cast<std::size_t>(region_.height);
+  std::uint32_t *const all = pixels_.data(), *const others = other_pixels_.data();
+  for (std::size_t i = 0; i < words; ++i) {
+    all[i] = std::max(all[i], others[i]);  // the nearer one
+    others[i] = 0;
+  }
 }
 
 EdgeMatch Rasterizer::count_edges(const PackedEdges& frame_edges, const EdgeOptions& options) {

@@ -12,6 +12,7 @@
 #include "packed_edges.h"
 #include "raster_kernels.h"
 #include "raster_model.h"
+#include "workers.h"
 
 namespace anneal6d {
 
@@ -32,11 +33,12 @@ class Rasterizer {
  public:
   Rasterizer(const RasterModel& model, const CameraModel& camera, const Shading& shading);
 
-  /// Draws the object. A drawing must be consumed by one of the functions below before the next.
-  /// The region holds every pixel of the object and a margin of `margin_px` around it, as far as
-  /// they are in the image; its x is a multiple of 8. Empty, with nothing to consume, if no part of
-  /// the object can be visible or the pose is not finite.
-  Region draw(const Pose& camera_from_object, int margin_px);
+  /// Draws the object; `workers`, if given, share the work on many faces. A drawing must be
+  /// consumed by one of the functions below before the next. The region holds every pixel of the
+  /// object and a margin of `margin_px` around it, as far as they are in the image; its x is a
+  /// multiple of 8. Empty, with nothing to consume, if no part of the object can be visible or the
+  /// pose is not finite.
+  Region draw(const Pose& camera_from_object, int margin_px, Workers* workers = nullptr);
 
   /// Consumes the drawing: edge operator, threshold, dilation (thesis Alg. 4), AND with the frame's
   /// edges and both counts, without an image in between. Blur is left out; thresholds are given,
@@ -51,6 +53,7 @@ class Rasterizer {
   void take_images(cv::Mat& grey, cv::Mat& depth_mm);
 
  private:
+  void draw_shared(const TriangleJob& job, Workers& workers);
   std::uint32_t* row_of_pixels(int y) {
     return pixels_.data() + static_cast<std::size_t>(y) * static_cast<std::size_t>(stride_);
   }
@@ -60,8 +63,9 @@ class Rasterizer {
   Shading shading_;
 
   Region region_;
-  int stride_ = 0;                   // words a row of the drawing
-  LineArray<std::uint32_t> pixels_;  // all zero but between draw and consumption
+  int stride_ = 0;                         // words a row of the drawing
+  LineArray<std::uint32_t> pixels_;        // all zero but between draw and consumption
+  LineArray<std::uint32_t> other_pixels_;  // all zero but in draw_shared
   float inv_far_ = 0, depth_scale_ = 1;
 
   std::vector<ImageVertex> vertices_;
