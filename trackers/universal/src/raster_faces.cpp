@@ -12,7 +12,7 @@ namespace anneal6d {
 namespace {
 
 constexpr double kFlat = 1e-5;        // of the diameter, as vertices are welded
-constexpr double kLeastTurn = 1e-3;   // at a corner of a convex quadrilateral, sine of the angle
+constexpr double kLeastSine = 1e-3;   // of the turn at a corner of a convex quadrilateral
 constexpr double kLeastShare = 0.05;  // of the area of the larger triangle has the smaller
 constexpr double kLinear = 1e-4;      // texture coordinates
 constexpr float kSame = 1e-5F;        // normals, colours and texture coordinates
@@ -45,8 +45,8 @@ std::vector<std::uint32_t> same_vertices(const TriangleMesh& mesh, bool textured
 }
 
 /// The pair of triangles (q, p, s) and (p, q, r), if it is one.
-std::optional<Face> joined(const TriangleMesh& mesh, bool textured, std::uint32_t p,
-                           std::uint32_t s, std::uint32_t q, std::uint32_t r) {
+std::optional<Face> pair_of(const TriangleMesh& mesh, bool textured, std::uint32_t p,
+                            std::uint32_t s, std::uint32_t q, std::uint32_t r) {
   const auto at = [&](std::uint32_t vertex) -> Eigen::Vector3d {
     return mesh.vertices()[vertex].position_mm.cast<double>();
   };
@@ -66,7 +66,7 @@ std::optional<Face> joined(const TriangleMesh& mesh, bool textured, std::uint32_
   }
   const auto turns = [&](std::uint32_t from, std::uint32_t via, std::uint32_t to) {
     return normal.dot(cross(from, via, to)) >
-           kLeastTurn * (at(via) - at(from)).norm() * (at(to) - at(via)).norm();
+           kLeastSine * (at(via) - at(from)).norm() * (at(to) - at(via)).norm();
   };
   if (!turns(r, p, s) || !turns(s, q, r)) return {};
   if (textured) {
@@ -98,7 +98,7 @@ std::vector<Face> faces_of(const TriangleMesh& mesh, bool textured) {
       if (other == side_with.end()) continue;
       const std::uint32_t u = other->second / 3, e = other->second % 3;
       const auto face =
-          joined(mesh, textured, p, triangles[u][(e + 2) % 3], q, triangles[t][(c + 2) % 3]);
+          pair_of(mesh, textured, p, triangles[u][(e + 2) % 3], q, triangles[t][(c + 2) % 3]);
       if (!face) continue;
       const float length_mm =
           (mesh.vertices()[p].position_mm - mesh.vertices()[q].position_mm).norm();

@@ -96,8 +96,8 @@ HWY_INLINE void DrawOver(Pixels pixels, std::uint32_t* at) {
   hn::StoreU(hn::Max(hn::LoadU(tag, at), pixels), tag, at);
 }
 
-/// Fills rows of face i of a group, a vector of pixels at a time; without kWide none is longer.
-template <bool kTextured, bool kNeedle, bool kWide, class Tag>
+/// Fills rows of face i of a group with this many vectors of pixels each; 0: as many as they need.
+template <bool kTextured, bool kNeedle, int kVectors, class Tag>
 HWY_INLINE void FillRows(Tag tag, const TriangleJob& job, const Group& g, const Row* rows,
                          std::size_t i, int count) {
   std::uint32_t* const drawing = job.pixels;
@@ -113,7 +113,7 @@ HWY_INLINE void FillRows(Tag tag, const TriangleJob& job, const Group& g, const 
       along = hn::Add(along, hn::Set(tag, lanes));
       at += hn::Lanes(tag);
       x += lanes;
-    } while (kWide && x < row.width[i]);
+    } while (kVectors != 1 && x < (kVectors > 0 ? kVectors * lanes : row.width[i]));
   }
 }
 
@@ -142,8 +142,12 @@ HWY_INLINE void FillNarrowRows(const TriangleJob& job, const Group& g, const Row
     count &= 1;
   }
 #endif
-  FillRows<kTextured, false, false>(narrow, job, g, rows, i, count);
+  FillRows<kTextured, false, 1>(narrow, job, g, rows, i, count);
 }
+
+/// Rows of more than one vector are so many that two are filled without a loop, whose end cannot be
+/// predicted, if that is enough for all rows of a face. With texture an empty one takes too long.
+constexpr bool kOftenTwo = kMostLanes <= 8;
 
 /// Draws the faces of a batch and empties it.
 template <bool kTextured>
@@ -160,13 +164,15 @@ void DrawBatch(const TriangleJob& job, Batch& batch) {
         const auto i = static_cast<std::size_t>(std::countr_zero(drawn));
         const int count = std::clamp(group.height[i] - row, 0, kRows);
         if (group.needles >> i & 1) [[unlikely]] {
-          FillRows<kTextured, true, true>(f, job, group, rows, i, count);
+          FillRows<kTextured, true, 0>(f, job, group, rows, i, count);
         } else if (group.narrow >> i & 1) {
           FillNarrowRows<kTextured>(job, group, rows, i, count);
-        } else if (group.wide >> i & 1) {
-          FillRows<kTextured, false, true>(f, job, group, rows, i, count);
+        } else if (!(group.wide >> i & 1)) {
+          FillRows<kTextured, false, 1>(f, job, group, rows, i, count);
+        } else if (kOftenTwo && !kTextured && !(group.wider >> i & 1)) {
+          FillRows<kTextured, false, 2>(f, job, group, rows, i, count);
         } else {
-          FillRows<kTextured, false, false>(f, job, group, rows, i, count);
+          FillRows<kTextured, false, 0>(f, job, group, rows, i, count);
         }
       }
     }

@@ -77,7 +77,8 @@ inline constexpr int kRowMargin = 64;
 /// Rows of brightness that are taken at a time; with one above and one below they stay in the
 /// fastest cache.
 inline constexpr int kBandRows = 16;
-/// Pixels behind a row of the drawing that are read or written with it: those of the widest vector.
+/// Pixels behind a row of the drawing that are read or written with it: those of the widest vector,
+/// or of two of half the width.
 inline constexpr int kPixelMargin = 16;
 
 /// A drawing whose brightness an edge operator takes out band by band, so that it is clear then.

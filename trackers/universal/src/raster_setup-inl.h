@@ -106,6 +106,7 @@ struct Group {
   std::uint64_t drawn;    ///< bits of the faces that have pixels
   std::uint64_t narrow;   ///< bits of those whose rows fit a narrow vector
   std::uint64_t wide;     ///< bits of those that may have rows longer than a vector
+  std::uint64_t wider;    ///< bits of those that may have rows longer than two vectors
   std::uint64_t needles;  ///< bits of those whose slopes are not to be trusted
   Plane depth, u, v;
   /// Brightness bends at the diagonal. Both halves' planes meet there: it is the larger of both, or
@@ -180,6 +181,7 @@ HWY_INLINE void SetUp(const TriangleJob& job, const Batch& batch, std::size_t fi
   };
   group.narrow = with_rows_of(hn::MaxLanes(narrow));
   group.wide = ~with_rows_of(kMostLanes);
+  group.wider = ~with_rows_of(2 * kMostLanes);
 
   // Roundings of the slopes below grow with the square of the length over the area.
   const VF area1 = Cross(b.at - a.at, ac), area2 = Cross(ac, d.at - a.at);
