@@ -285,7 +285,6 @@ class DefaultTracker final : public PoseFilterTracker {
       rival = &other;
     }
     if (!rival) return here.result;
-    exact.draw(rival->camera_from_object, workers_);
     Polished there = polish(*rival);
     if (there.likelihood <= here.likelihood + kExactGain) return here.result;
     there.result.support = refiner_.examine(there.result.camera_from_object, appearance).support;
