@@ -237,15 +237,11 @@ class DefaultTracker final : public PoseFilterTracker {
   /// bottoms from the true one: a neighbour that the exact contour likes better is drawn, too.
   Refiner::Result polished(const Refiner::Result& refined, const Appearance& appearance) {
     ExactContour& exact = *exact_;
-    struct Polished {
-      Refiner::Result result;
-      double likelihood = 0;  ///< by the exact contour
+    const auto polish = [&](const Refiner::Result& start) {
+      return refiner_.polish(start, exact.contour(), exact.feigned_share(), appearance);
     };
-    const auto polish = [&](const Refiner::Result& start) -> Polished {
-      const auto result =
-          refiner_.polish(start, exact.contour(), exact.feigned_share(), appearance);
-      return {result, likelihood(refiner_.examine_in(exact.contour(), result.camera_from_object,
-                                                     appearance))};
+    const auto examine = [&](const Pose& pose) {
+      return refiner_.examine_in(exact.contour(), pose, appearance);
     };
     std::vector<Pose> starts{filter_.to_object(expected_.camera_from_center)};
     const auto look_along = [&](std::uint32_t motion, double steps) {
@@ -260,35 +256,32 @@ class DefaultTracker final : public PoseFilterTracker {
     // Along one motion while those of better_neighbour() take turns, so that all pairs are tried.
     const std::uint32_t motion = frame_number_ / kNeighbourMotions % kNeighbourMotions;
     if (!blind || motion != 0) look_along(motion, 1.0);
-    std::vector<Pose> others(starts.size());
-    Polished here;
-    workers_.each(others.size() + 1, 1, [&](std::size_t i) {
+    std::vector<Pose> poses(1 + starts.size());
+    Refiner::Result here;
+    workers_.each(poses.size(), 1, [&](std::size_t i) {
       if (i == 0) {
         here = polish(refined);
+        poses[0] = here.camera_from_object;
       } else {
-        others[i - 1] =
+        poses[i] =
             refiner_.refine_in(exact.contour(), starts[i - 1], kNeighbourReach_px, appearance);
       }
     });
-    std::erase_if(others, [&](const Pose& other) {
-      return same_place(other, here.result.camera_from_object);
-    });
-    std::vector<Refiner::Result> rivals(others.size());
-    workers_.each(rivals.size(), 1, [&](std::size_t i) {
-      rivals[i] = refiner_.examine_in(exact.contour(), others[i], appearance);
-    });
-    const Refiner::Result* rival = nullptr;
-    double most = here.likelihood;
-    for (const Refiner::Result& other : rivals) {
-      if (likelihood(other) <= most) continue;
-      most = likelihood(other);
-      rival = &other;
+    poses.erase(std::remove_if(poses.begin() + 1, poses.end(),
+                               [&](const Pose& other) { return same_place(other, poses[0]); }),
+                poses.end());
+    std::vector<Refiner::Result> examined(poses.size());
+    workers_.each(poses.size(), 1, [&](std::size_t i) { examined[i] = examine(poses[i]); });
+    const auto rival = std::max_element(
+        examined.begin(), examined.end(),
+        [&](const auto& a, const auto& b) { return likelihood(a) < likelihood(b); });
+    if (rival == examined.begin()) return here;
+    Refiner::Result there = polish(*rival);
+    if (likelihood(examine(there.camera_from_object)) <= likelihood(examined[0]) + kExactGain) {
+      return here;
     }
-    if (!rival) return here.result;
-    Polished there = polish(*rival);
-    if (there.likelihood <= here.likelihood + kExactGain) return here.result;
-    there.result.support = refiner_.examine(there.result.camera_from_object, appearance).support;
-    return there.result;
+    there.support = refiner_.examine(there.camera_from_object, appearance).support;
+    return there;
   }
 
   /// Poses on both sides of a refined one. False bottoms lie along the motions that the contour
