@@ -6,6 +6,7 @@
 #include <algorithm>
 #include <cmath>
 #include <limits>
+#include <memory>
 #include <span>
 #include <utility>
 
@@ -17,7 +18,7 @@ namespace {
 constexpr int kConfirmingLine_px = 4;
 constexpr double kDoubt = 5;  // how much larger feigned shares may be than is assumed for steps
 
-double squared(double x) { return x * x; }
+float squared(float x) { return x * x; }
 
 }  // namespace
 
@@ -56,8 +57,11 @@ std::size_t ContourMatch::project(const Pose& camera_from_object, const ModelVie
 void ContourMatch::reserve(std::size_t most_points) {
   constexpr std::size_t kRows = (sizeof(ContourPoints) + sizeof(LineCandidates)) / sizeof(float*);
   const std::size_t length = most_points + LineJob::kPadding;
-  if (rows_.size() < kRows * length) rows_.resize(kRows * length);
-  float* next = rows_.data();
+  if (capacity_ < kRows * length) {
+    capacity_ = kRows * length;
+    rows_ = std::make_unique_for_overwrite<float[]>(capacity_);
+  }
+  float* next = rows_.get();
   const auto row = [&] { return std::exchange(next, next + length); };
   points_ = {row(), row(), row(), row(), row(), row(), row(), row(), row(), row(), row(), row()};
   for (std::size_t k = 0; k < LineJob::kCandidates; ++k) {
@@ -111,12 +115,14 @@ ContourMatch::Confirmation ContourMatch::confirm(double reach_px, double fit_px,
   if (count_ == 0) return {};
   const LineEdges edges = {candidates_.offset_px[0], candidates_.weight[0], candidates_.weight[1]};
   find_strongest(lines(kConfirmingLine_px, &appearance), edges);
+  const auto reach = static_cast<float>(reach_px);
+  const auto inverse_fit = static_cast<float>(1.0 / fit_px);
   Confirmation sum;
   for (std::size_t i = 0; i < count_; ++i) {
-    const double away_px = std::abs(edges.offset_px[i] - points_.shift_px[i]);
-    if (edges.strength[i] <= 0 || away_px >= reach_px) continue;
+    const float away_px = std::abs(edges.offset_px[i] - points_.shift_px[i]);
+    if (edges.strength[i] <= 0 || away_px >= reach) continue;
     sum.support += edges.agreement[i];
-    sum.fit += edges.agreement[i] * std::exp(-0.5 * squared(away_px / fit_px));
+    sum.fit += edges.agreement[i] * std::exp(-0.5F * squared(away_px * inverse_fit));
   }
   const auto count = static_cast<double>(count_);
   return {sum.support / count, sum.fit / count};

@@ -5,7 +5,7 @@
 #include <Eigen/Core>
 #include <array>
 #include <cstddef>
-#include <vector>
+#include <memory>
 
 #include "anneal6d/framework/camera_model.h"
 #include "appearance.h"
@@ -85,7 +85,8 @@ class ContourMatch {
   Eigen::Vector3d center_mm_;
   Pose expected_center_;
   double feigned_share_ = 1;
-  std::vector<float> rows_;  ///< of points_ and candidates_
+  std::unique_ptr<float[]> rows_;  ///< of points_ and candidates_
+  std::size_t capacity_ = 0;       ///< of rows_
   ContourPoints points_{};
   LineCandidates candidates_{};
   std::size_t count_ = 0;
