@@ -72,6 +72,20 @@ struct TriangleJob {
 };
 void draw_triangles(const TriangleJob& job);
 
+/// Takes a drawing, so that it is clear then, into pictures of brightness and depth, 0 where there
+/// is no object.
+struct PictureJob {
+  std::uint32_t* pixels;
+  std::uint32_t* others;  ///< drawn beside it, the nearer one counts and both are cleared; or null
+  int stride, width, height;
+  float inv_far, depth_scale;
+  std::uint8_t* grey;
+  std::ptrdiff_t grey_stride;
+  float* depth_mm;  ///< null: not wanted
+  std::ptrdiff_t depth_stride;
+};
+void take_pictures(const PictureJob& job);
+
 /// Entries on both sides of a row of brightness that are read or written with it.
 inline constexpr int kRowMargin = 64;
 /// Rows of brightness that are taken at a time; with one above and one below they stay in the

@@ -3,6 +3,7 @@
 #include "rasterizer.h"
 
 #include <algorithm>
+#include <cassert>
 #include <cmath>
 
 #include "raster_kernels.h"
@@ -115,7 +116,8 @@ Region Rasterizer::draw(const Pose& camera_from_object, int margin_px, Workers* 
                   .y1 = y1,
                   .pixels = pixels_.data(),
                   .stride = stride_};
-  if (workers && model_.faces.size() >= kWorthSharing) {
+  shared_ = workers && model_.faces.size() >= kWorthSharing;
+  if (shared_) {
     draw_shared(job, *workers);
   } else {
     draw_triangles(job);
@@ -132,16 +134,10 @@ void Rasterizer::draw_shared(const TriangleJob& job, Workers& workers) {
     if (part == 1) half.pixels = other_pixels_.data();
     draw_triangles(half);
   });
-  const std::size_t words =
-      static_cast<std::size_t>(stride_) * static_cast<std::size_t>(region_.height);
-  std::uint32_t *const all = pixels_.data(), *const others = other_pixels_.data();
-  for (std::size_t i = 0; i < words; ++i) {
-    all[i] = std::max(all[i], others[i]);  // the nearer one
-    others[i] = 0;
-  }
 }
 
 EdgeMatch Rasterizer::count_edges(const PackedEdges& frame_edges, const EdgeOptions& options) {
+  assert(!shared_);
   const int width = region_.width, height = region_.height;
   const int words = (width + 63) / 64;
   const int radius = options.dilation_px;
@@ -177,28 +173,29 @@ EdgeMatch Rasterizer::count_edges(const PackedEdges& frame_edges, const EdgeOpti
                           .frame_stride = 4 * frame_edges.words_a_row()});
 }
 
-void Rasterizer::take_grey(cv::Mat& grey) {
-  grey.create(region_.height, region_.width, CV_8UC1);
-  for (int y = 0; y < region_.height; ++y) {
-    std::uint32_t* const line = row_of_pixels(y);
-    auto* const grey_row = grey.ptr<std::uint8_t>(y);
-    for (int x = 0; x < region_.width; ++x) grey_row[x] = static_cast<std::uint8_t>(line[x]);
-    std::fill_n(line, region_.width, 0U);
-  }
-}
+void Rasterizer::take_grey(cv::Mat& grey) { take(grey, nullptr); }
 
-void Rasterizer::take_images(cv::Mat& grey, cv::Mat& depth_mm) {
-  depth_mm.create(region_.height, region_.width, CV_32FC1);
-  const float scale = 1.0F / depth_scale_;
-  for (int y = 0; y < region_.height; ++y) {
-    const std::uint32_t* const line = row_of_pixels(y);
-    auto* const depth_row = depth_mm.ptr<float>(y);
-    for (int x = 0; x < region_.width; ++x) {
-      const float depth = 1.0F / ((depth_of_pixel(line[x]) - kFarDepth) * scale + inv_far_);
-      depth_row[x] = line[x] == 0 ? 0.0F : depth;
-    }
+void Rasterizer::take_images(cv::Mat& grey, cv::Mat& depth_mm) { take(grey, &depth_mm); }
+
+void Rasterizer::take(cv::Mat& grey, cv::Mat* depth_mm) {
+  grey.create(region_.height, region_.width, CV_8UC1);
+  PictureJob job{.pixels = pixels_.data(),
+                 .others = shared_ ? other_pixels_.data() : nullptr,
+                 .stride = stride_,
+                 .width = region_.width,
+                 .height = region_.height,
+                 .inv_far = inv_far_,
+                 .depth_scale = depth_scale_,
+                 .grey = grey.ptr<std::uint8_t>(),
+                 .grey_stride = static_cast<std::ptrdiff_t>(grey.step1()),
+                 .depth_mm = nullptr,
+                 .depth_stride = 0};
+  if (depth_mm) {
+    depth_mm->create(region_.height, region_.width, CV_32FC1);
+    job.depth_mm = depth_mm->ptr<float>();
+    job.depth_stride = static_cast<std::ptrdiff_t>(depth_mm->step1());
   }
-  take_grey(grey);
+  take_pictures(job);
 }
 
 }  // namespace anneal6d

@@ -40,9 +40,10 @@ class Rasterizer {
   /// pose is not finite.
   Region draw(const Pose& camera_from_object, int margin_px, Workers* workers = nullptr);
 
-  /// Consumes the drawing: edge operator, threshold, dilation (thesis Alg. 4), AND with the frame's
-  /// edges and both counts, without an image in between. Blur is left out; thresholds are given,
-  /// Canny's both. The margin was at least 1 + options.dilation_px, and one more for Canny.
+  /// Consumes a drawing without `workers`: edge operator, threshold, dilation (thesis Alg. 4), AND
+  /// with the frame's edges and both counts, without an image in between. Blur is left out;
+  /// thresholds are given, Canny's both. The margin was at least 1 + options.dilation_px, and one
+  /// more for Canny.
   EdgeMatch count_edges(const PackedEdges& frame_edges, const EdgeOptions& options);
 
   /// Consumes the drawing into an image of the region's size: brightness, CV_8UC1, 0 where there is
@@ -53,10 +54,8 @@ class Rasterizer {
   void take_images(cv::Mat& grey, cv::Mat& depth_mm);
 
  private:
+  void take(cv::Mat& grey, cv::Mat* depth_mm);
   void draw_shared(const TriangleJob& job, Workers& workers);
-  std::uint32_t* row_of_pixels(int y) {
-    return pixels_.data() + static_cast<std::size_t>(y) * static_cast<std::size_t>(stride_);
-  }
 
   const RasterModel& model_;
   CameraModel camera_;
@@ -65,7 +64,8 @@ class Rasterizer {
   Region region_;
   int stride_ = 0;                         // words a row of the drawing
   LineArray<std::uint32_t> pixels_;        // all zero but between draw and consumption
-  LineArray<std::uint32_t> other_pixels_;  // all zero but in draw_shared
+  bool shared_ = false;                    // between both
+  LineArray<std::uint32_t> other_pixels_;  // the same, of the other half of the faces
   float inv_far_ = 0, depth_scale_ = 1;
 
   std::vector<ImageVertex> vertices_;
