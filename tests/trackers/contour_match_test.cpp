@@ -4,6 +4,8 @@
 
 #include <gtest/gtest.h>
 
+#include <cmath>
+
 #include "refiner.h"
 #include "synthetic.h"
 
@@ -90,6 +92,23 @@ TEST(WhatEdgesOfACylinderLeaveOpen, IsTheFirstOfTheWeakMotions) {
   EXPECT_GT(std::abs(turn.normalized().dot(axis())), 0.99);
 }
 
+/// Standard deviation along a direction, if edges are off by a pixel.
+double error_along(const Eigen::Vector3d& direction) {
+  const Eigen::Matrix3d shift = refined_cylinder().error_px2.bottomRightCorner<3, 3>();
+  return std::sqrt(direction.dot(shift * direction));
+}
+
+TEST(ErrorsOfACylindersEdges, ShiftItByAsMuchAndMuchMoreInDepth) {
+  const double mm_per_px = 320.0 / test::small_camera().fx_px;
+  EXPECT_NEAR(error_along(across()) / mm_per_px, 1.0, 0.5);
+  EXPECT_GT(error_along(Eigen::Vector3d::UnitZ()), 3 * mm_per_px);
+}
+
+TEST(ErrorsOfACylindersEdges, DoNotTurnItAboutItsAxisWhichTheyDoNotShow) {
+  const Eigen::Matrix3d turn = refined_cylinder().error_px2.topLeftCorner<3, 3>();
+  EXPECT_LT(axis().dot(turn * axis()), 0.1 * turn.trace());
+}
+
 // As where the object is outside the image.
 TEST(AMatchWithoutASingleStep, LeavesEverythingOpen) {
   const cv::Mat nothing;
@@ -97,6 +116,7 @@ TEST(AMatchWithoutASingleStep, LeavesEverythingOpen) {
   const ContourMatch match({nothing, {}}, camera, Eigen::Vector3d::Zero());
   const Eigen::Matrix<double, 6, 6> unseen = match.unseen();
   EXPECT_TRUE(unseen.isIdentity(1e-9)) << unseen;
+  EXPECT_TRUE(match.error_px2().isZero());
 }
 
 }  // namespace

@@ -178,12 +178,23 @@ Pose ContourMatch::camera_from_object() const {
   return {centered.rotation, centered * -center_mm_};
 }
 
+// For both, feigned shares are as large as they are seen to be, instead of as they do the least
+// harm.
 ContourMatch::Matrix6 ContourMatch::unseen() const {
-  // With feigned shares as large as they are seen to be, instead of as they do the least harm.
   const double doubtful = kDoubt * feigned_share_;
   const Matrix6 doubt = doubtful * doubtful * Matrix6::Identity();
   const Matrix6 unseen = (shares_ * shares_ + doubt).ldlt().solve(doubt);
   return unit_.asDiagonal() * unseen * unit_.cwiseInverse().asDiagonal();
+}
+
+ContourMatch::Matrix6 ContourMatch::error_px2() const {
+  // Along each eigenvector: 1 / share is the squared motion that shows as a pixel, and as much of
+  // it is taken over as is not left open.
+  const double doubtful = kDoubt * feigned_share_;
+  const Matrix6 gain = shares_ * shares_ + doubtful * doubtful * Matrix6::Identity();
+  const Matrix6 taken = gain.ldlt().solve(shares_);
+  return whole_weight_ *
+         (unit_.asDiagonal() * (taken * shares_ * taken.transpose()) * unit_.asDiagonal());
 }
 
 std::array<Twist, 2> ContourMatch::weak_motions() const {

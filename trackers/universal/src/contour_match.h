@@ -60,6 +60,8 @@ class ContourMatch {
   std::array<Twist, 2> weak_motions() const;
   /// See Refiner::Result; at the last step.
   Eigen::Matrix<double, 6, 6> unseen() const;
+  /// See Refiner::Result; at the last step.
+  Eigen::Matrix<double, 6, 6> error_px2() const;
 
   /// Shares of the points, 0..1, that have an edge within `reach_px` where colours agree, and, as
   /// far as it is there to `fit_px`; those of Refiner::Result. Takes the place of what was

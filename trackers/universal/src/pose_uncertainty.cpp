@@ -18,9 +18,10 @@ double probability_below(const Eigen::Matrix3d& covariance, double limit) {
 
 }  // namespace
 
-void PoseUncertainty::update(const Twist& sigma, const Covariance& unseen) {
+void PoseUncertainty::update(const Twist& sigma, const Covariance& unseen,
+                             const Covariance& error) {
   covariance_.diagonal() += sigma.cwiseAbs2();
-  covariance_ = (unseen * covariance_ * unseen.transpose()).eval();
+  covariance_ = (unseen * covariance_ * unseen.transpose() + error).eval();
 }
 
 double PoseUncertainty::probability_within(double distance_mm, double angle_rad,

@@ -17,8 +17,9 @@ class PoseUncertainty {
   void reset() { covariance_.setZero(); }
 
   /// A frame later. `sigma`: what the motion model left open lately, standard deviations of a
-  /// twist. `unseen`: what the image leaves of a deviation, as a map of twists.
-  void update(const Twist& sigma, const Covariance& unseen);
+  /// twist. `unseen`: what the image leaves of a deviation, as a map of twists. `error`: how far
+  /// what it shows may be wrong.
+  void update(const Twist& sigma, const Covariance& unseen, const Covariance& error);
 
   /// Probability that the pose is right to `distance_mm` and `angle_rad`, as far as unseen motion
   /// goes. Turns about `axis` (unit, camera frame; zero: none) do not count.

@@ -98,6 +98,7 @@ Refiner::Result Refiner::refine(const Pose& start_camera_from_object,
   Result result = examine(contour, views_.seen_from(pose), pose, appearance, points_of(care));
   result.weak_motions = contour.weak_motions();
   result.unseen = contour.unseen();
+  result.error_px2 = contour.error_px2();
   return result;
 }
 
@@ -140,6 +141,7 @@ Refiner::Result Refiner::polish(const Result& refined, const ModelView& view, do
     polished.camera_from_object = contour.camera_from_object();
   }
   polished.unseen = contour.unseen();
+  polished.error_px2 = contour.error_px2();
   return polished;
 }
 

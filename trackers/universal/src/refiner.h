@@ -41,6 +41,9 @@ class Refiner {
     /// What edges leave of a deviation from the pose, as a map of twists: about the identity along
     /// motions that the contour does not show, about zero along others.
     Eigen::Matrix<double, 6, 6> unseen = Eigen::Matrix<double, 6, 6>::Identity();
+    /// Covariance of the pose, as a twist, if edges all over the contour are off by a pixel: large
+    /// along motions that the contour shows only a little.
+    Eigen::Matrix<double, 6, 6> error_px2 = Eigen::Matrix<double, 6, 6>::Zero();
 
     /// What tells the right pose from others that the image supports as well.
     double evidence() const { return support + fit; }
