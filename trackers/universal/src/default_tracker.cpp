@@ -33,8 +33,8 @@ constexpr std::uint32_t kNeighbourMotions = 4;
 // frame, so many steps far.
 constexpr double kHardlySeen = 0.3;
 constexpr std::array kBlindSteps = {1.0, 2.0};
-// By how much a neighbour must be likelier, by views and by the exact contour: else noise decides.
-constexpr double kNeighbourGain = 0.006, kExactGain = 0.01;
+// By how much a neighbour must be likelier: else noise decides.
+constexpr double kNeighbourGain = 0.01;
 constexpr std::uint32_t kPasses = 3;  // of the search, each twice as wide as the one before
 constexpr double kWider = 0.9;        // of what is sure: less lets the search go on, wider
 constexpr double kGain = 0.03;        // in evidence, without which a search was in vain
@@ -221,14 +221,16 @@ class DefaultTracker final : public PoseFilterTracker {
     const auto likely = [&](const Refiner::Result& result) {
       return result.fit - strangeness(result);
     };
-    bool better = false;
+    const Refiner::Result* better = nullptr;
+    double most = likely(best) + kNeighbourGain;
     for (const Refiner::Result& other : others) {
-      if (likely(other) <= likely(best)) continue;
+      if (likely(other) <= most) continue;
       if (same_place(other.camera_from_object, refined.camera_from_object)) continue;
-      best = other;
-      better = true;
+      most = likely(other);
+      better = &other;
     }
     if (!better) return std::nullopt;
+    best = *better;
     best = refiner_.refine(best.camera_from_object, best.camera_from_object, kNeighbourReach_px,
                            appearance);
     if (likely(best) <= likely(refined) + kNeighbourGain) return std::nullopt;
@@ -279,7 +281,7 @@ class DefaultTracker final : public PoseFilterTracker {
         [&](const auto& a, const auto& b) { return likelihood(a) < likelihood(b); });
     if (rival == examined.begin()) return here;
     Refiner::Result there = polish(*rival);
-    if (likelihood(examine(there.camera_from_object)) <= likelihood(examined[0]) + kExactGain) {
+    if (likelihood(examine(there.camera_from_object)) <= likelihood(examined[0]) + kNeighbourGain) {
       return here;
     }
     there.support = refiner_.examine(there.camera_from_object, appearance).support;
