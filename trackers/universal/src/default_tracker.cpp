@@ -230,9 +230,8 @@ class DefaultTracker final : public PoseFilterTracker {
       better = &other;
     }
     if (!better) return std::nullopt;
-    best = *better;
-    best = refiner_.refine(best.camera_from_object, best.camera_from_object, kNeighbourReach_px,
-                           appearance);
+    best = refiner_.refine(better->camera_from_object, better->camera_from_object,
+                           kNeighbourReach_px, appearance);
     if (likely(best) <= likely(refined) + kNeighbourGain) return std::nullopt;
     return best;
   }
