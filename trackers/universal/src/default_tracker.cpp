@@ -33,8 +33,8 @@ constexpr std::uint32_t kNeighbourMotions = 4;
 // frame, so many steps far.
 constexpr double kHardlySeen = 0.3;
 constexpr std::array kBlindSteps = {1.0, 2.0};
-// By how much a neighbour must be likelier: else noise decides.
-constexpr double kNeighbourGain = 0.01;
+// By how much a neighbour must be likelier, by views and by the exact contour: else noise decides.
+constexpr double kNeighbourGain = 0.006, kExactGain = 0.01;
 constexpr std::uint32_t kPasses = 3;  // of the search, each twice as wide as the one before
 constexpr double kWider = 0.9;        // of what is sure: less lets the search go on, wider
 constexpr double kGain = 0.03;        // in evidence, without which a search was in vain
@@ -222,7 +222,7 @@ class DefaultTracker final : public PoseFilterTracker {
       return result.fit - strangeness(result);
     };
     const Refiner::Result* better = nullptr;
-    double most = likely(best) + kNeighbourGain;
+    double most = likely(best);
     for (const Refiner::Result& other : others) {
       if (likely(other) <= most) continue;
       if (same_place(other.camera_from_object, refined.camera_from_object)) continue;
@@ -280,7 +280,7 @@ class DefaultTracker final : public PoseFilterTracker {
         [&](const auto& a, const auto& b) { return likelihood(a) < likelihood(b); });
     if (rival == examined.begin()) return here;
     Refiner::Result there = polish(*rival);
-    if (likelihood(examine(there.camera_from_object)) <= likelihood(examined[0]) + kNeighbourGain) {
+    if (likelihood(examine(there.camera_from_object)) <= likelihood(examined[0]) + kExactGain) {
       return here;
     }
     there.support = refiner_.examine(there.camera_from_object, appearance).support;
