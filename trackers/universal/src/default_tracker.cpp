@@ -237,7 +237,8 @@ class DefaultTracker final : public PoseFilterTracker {
   }
 
   /// A refined pose on the exact contour, which was drawn there. Views do not tell all false
-  /// bottoms from the true one: a neighbour that the exact contour likes better is drawn, too.
+  /// bottoms from the true one: of its neighbours, and the motion model's guess, one that the exact
+  /// contour likes better takes its place.
   Refiner::Result polished(const Refiner::Result& refined, const Appearance& appearance) {
     ExactContour& exact = *exact_;
     const auto polish = [&](const Refiner::Result& start) {
@@ -256,9 +257,9 @@ class DefaultTracker final : public PoseFilterTracker {
     if (blind) {
       for (const double steps : kBlindSteps) look_along(0, steps);
     }
-    // Along one motion while those of better_neighbour() take turns, so that all pairs are tried.
-    const std::uint32_t motion = frame_number_ / kNeighbourMotions % kNeighbourMotions;
-    if (!blind || motion != 0) look_along(motion, 1.0);
+    for (std::uint32_t motion = blind ? 1 : 0; motion < kNeighbourMotions; ++motion) {
+      look_along(motion, 1.0);
+    }
     std::vector<Pose> poses(1 + starts.size());
     Refiner::Result here;
     workers_.each(poses.size(), 1, [&](std::size_t i) {

@@ -155,7 +155,7 @@ Refiner::Result Refiner::examine(const Pose& camera_from_object, const Appearanc
 Refiner::Result Refiner::examine_in(const ModelView& view, const Pose& camera_from_object,
                                     const Appearance& appearance) const {
   ContourMatch contour = match();
-  return examine(contour, view, camera_from_object, appearance, view.contour.size());
+  return examine(contour, view, camera_from_object, appearance, kAllPoints);
 }
 
 Refiner::Result Refiner::examine(ContourMatch& contour, const ModelView& view,

@@ -78,7 +78,7 @@ class Refiner {
   /// How well the image confirms a pose.
   Result examine(const Pose& camera_from_object, const Appearance& appearance,
                  Care care = Care::full) const;
-  /// The same with all of a contour that was drawn at the pose or nearby.
+  /// The same with a contour that was drawn at the pose or nearby.
   Result examine_in(const ModelView& view, const Pose& camera_from_object,
                     const Appearance& appearance) const;
 
