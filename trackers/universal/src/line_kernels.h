@@ -67,8 +67,9 @@ void find_borders(const LineJob& job, float* offset_px, float* variance_px2);
 /// and against it: up to two a line.
 int count_edges_beside(const LineJob& job, int from_px, int to_px);
 
-/// Samples of one line at most.
+/// Samples of a line beyond its reach, on both sides.
 inline constexpr int kLineMargin = 3;
+/// Samples of a line at most.
 inline constexpr int kLongestLine = 2 * (LineJob::kMaxReach_px + kLineMargin) + 1;
 
 /// The samples themselves, of the first vector of lines, for tests: values of each channel and
