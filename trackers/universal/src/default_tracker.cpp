@@ -43,7 +43,7 @@ constexpr double kFirstSupport = 0.8;
 constexpr double kSupportRise = 0.1, kSupportFall = 0.3;  // the same in the usual support
 constexpr double kLeastReach_px = 6.0, kMostReach_px = 16.0;
 constexpr std::size_t kLargeModel = 40'000;       // triangles, too many to be drawn in every frame
-constexpr double kEdgeError_px = 0.17;            // by which all of a contour may be off together
+constexpr double kEdgeError_px = 0.15;            // by which all of a contour may be off together
 constexpr double kRight_mm = 10, kRight_deg = 2;  // what quality is the probability of
 
 /// Share of frames with such support beyond chance (1: all that is possible, 0: none) whose pose
