@@ -33,6 +33,8 @@ constexpr std::uint32_t kNeighbourMotions = 4;
 // frame, so many steps far.
 constexpr double kHardlySeen = 0.3;
 constexpr std::array kBlindSteps = {1.0, 2.0};
+// Of the exact contour, by which rivals are judged; where edges hardly tell them apart, all of it.
+constexpr std::size_t kJudgedPoints = 240;
 // By how much a neighbour must be likelier, by views and by the exact contour: else noise decides.
 constexpr double kNeighbourGain = 0.006, kExactGain = 0.01;
 constexpr std::uint32_t kPasses = 3;  // of the search, each twice as wide as the one before
@@ -244,9 +246,6 @@ class DefaultTracker final : public PoseFilterTracker {
     const auto polish = [&](const Refiner::Result& start) {
       return refiner_.polish(start, exact.contour(), exact.feigned_share(), appearance);
     };
-    const auto examine = [&](const Pose& pose) {
-      return refiner_.examine_in(exact.contour(), pose, appearance);
-    };
     std::vector<Pose> starts{filter_.to_object(expected_.camera_from_center)};
     const auto look_along = [&](std::uint32_t motion, double steps) {
       for (const Pose& start : beside(refined, motion, steps)) starts.push_back(start);
@@ -260,6 +259,10 @@ class DefaultTracker final : public PoseFilterTracker {
     for (std::uint32_t motion = blind ? 1 : 0; motion < kNeighbourMotions; ++motion) {
       look_along(motion, 1.0);
     }
+    const auto examine = [&](const Pose& pose) {
+      return refiner_.examine_in(exact.contour(), pose, appearance,
+                                 blind ? Refiner::kMostPolished : kJudgedPoints);
+    };
     std::vector<Pose> poses(1 + starts.size());
     Refiner::Result here;
     workers_.each(poses.size(), 1, [&](std::size_t i) {

@@ -153,9 +153,9 @@ Refiner::Result Refiner::examine(const Pose& camera_from_object, const Appearanc
 }
 
 Refiner::Result Refiner::examine_in(const ModelView& view, const Pose& camera_from_object,
-                                    const Appearance& appearance) const {
+                                    const Appearance& appearance, std::size_t most_points) const {
   ContourMatch contour = match();
-  return examine(contour, view, camera_from_object, appearance, kAllPoints);
+  return examine(contour, view, camera_from_object, appearance, most_points);
 }
 
 Refiner::Result Refiner::examine(ContourMatch& contour, const ModelView& view,

@@ -78,9 +78,9 @@ class Refiner {
   /// How well the image confirms a pose.
   Result examine(const Pose& camera_from_object, const Appearance& appearance,
                  Care care = Care::full) const;
-  /// The same with a contour that was drawn at the pose or nearby.
+  /// The same with a contour that was drawn at the pose or nearby, or the first points of it.
   Result examine_in(const ModelView& view, const Pose& camera_from_object,
-                    const Appearance& appearance) const;
+                    const Appearance& appearance, std::size_t most_points = kMostPolished) const;
 
   /// The share of the visible contour that would have an edge near it also where it does not
   /// belong, 0..1: in a cluttered image edges confirm little.
