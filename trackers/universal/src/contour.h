@@ -50,9 +50,8 @@ class ContourExtractor {
   /// that it can be done beside drawing; else extract() does it.
   void pick_edges(const Pose& camera_from_object);
 
-  /// Replaces `points` by visible ones, about one in
-  /// `spacing_px` pixels along each edge. `texture_edges`: also where the rendered brightness
-  /// jumps.
+  /// Replaces `points` by visible ones, about one in `spacing_px` pixels along each edge.
+  /// `texture_edges`: also where the rendered brightness jumps.
   void extract(const View& view, double spacing_px, bool texture_edges, Workers& workers,
                std::vector<ContourPoint>& points);
 

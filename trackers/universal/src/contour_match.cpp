@@ -167,8 +167,7 @@ void ContourMatch::step(double reach_px) {
   // the feigned one.
   const Twist away = twist_between(expected_center_, moved(start_, motion_)).cwiseQuotient(unit_);
   const Twist pull = right_side.cwiseProduct(unit_);
-  const Matrix6 gain = shares_ * shares_ + feigned_share_ * feigned_share_ * Matrix6::Identity();
-  const Twist along = gain.ldlt().solve(shares_ * (shares_ * away + pull)) - away;
+  const Twist along = gain(feigned_share_).ldlt().solve(shares_ * (shares_ * away + pull)) - away;
   const Twist twist = unit_.cwiseProduct(along);
   if (twist.allFinite()) motion_ += twist;
 }
@@ -178,21 +177,23 @@ Pose ContourMatch::camera_from_object() const {
   return {centered.rotation, centered * -center_mm_};
 }
 
+ContourMatch::Matrix6 ContourMatch::gain(double feigned_share) const {
+  return shares_ * shares_ + feigned_share * feigned_share * Matrix6::Identity();
+}
+
 // For both, feigned shares are as large as they are seen to be, instead of as they do the least
 // harm.
 ContourMatch::Matrix6 ContourMatch::unseen() const {
   const double doubtful = kDoubt * feigned_share_;
   const Matrix6 doubt = doubtful * doubtful * Matrix6::Identity();
-  const Matrix6 unseen = (shares_ * shares_ + doubt).ldlt().solve(doubt);
+  const Matrix6 unseen = gain(doubtful).ldlt().solve(doubt);
   return unit_.asDiagonal() * unseen * unit_.cwiseInverse().asDiagonal();
 }
 
 ContourMatch::Matrix6 ContourMatch::error_px2() const {
   // Along each eigenvector: 1 / share is the squared motion that shows as a pixel, and as much of
   // it is taken over as is not left open.
-  const double doubtful = kDoubt * feigned_share_;
-  const Matrix6 gain = shares_ * shares_ + doubtful * doubtful * Matrix6::Identity();
-  const Matrix6 taken = gain.ldlt().solve(shares_);
+  const Matrix6 taken = gain(kDoubt * feigned_share_).ldlt().solve(shares_);
   return whole_weight_ *
          (unit_.asDiagonal() * (taken * shares_ * taken.transpose()) * unit_.asDiagonal());
 }

@@ -79,6 +79,9 @@ class ContourMatch {
   using Matrix6 = Eigen::Matrix<double, 6, 6>;
 
   void reserve(std::size_t most_points);
+  /// Of the last step, along each eigenvector: share^2 + feigned^2. What is solved with it goes
+  /// from nothing at share 0 to the edges' word at share 1, half of it at the feigned one.
+  Matrix6 gain(double feigned_share) const;
   /// The lines across the points; colours of null say nothing.
   LineJob lines(int reach_px, const Appearance* appearance) const;
 
