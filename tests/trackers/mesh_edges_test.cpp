@@ -26,7 +26,7 @@ TEST(CreasesOfACylinderOfManyFacets, AreItsTwoRimsThoughEachOfTheirEdgesIsShort)
   const SharedMesh mesh = test::make_cylinder(2 * kHalf_mm, kRound_mm, kFacets);
   int on_rims = 0;
   for (const MeshEdge& edge : mesh_edges(*mesh)) {
-    const auto on_rim = [&](const Eigen::Vector3d& p) {
+    const auto on_rim = [&](const Eigen::Vector3f& p) {
       return std::abs(std::abs(p.z()) - kHalf_mm) < 1e-3 &&
              std::abs(p.head<2>().norm() - kRound_mm) < 1e-3;
     };

@@ -18,9 +18,9 @@ namespace anneal6d {
 namespace {
 
 const double kBentCosine = std::cos(8.0 * (std::numbers::pi / 180.0));
-constexpr double kVisibleDepth = 0.01;     // of the diameter: tolerance of the hidden-point test
-constexpr double kSilhouetteDepth = 0.02;  // of the diameter: a silhouette has at least this behind
-constexpr double kSilhouetteProbe_px = 0.75;
+constexpr float kVisibleDepth = 0.01F;     // of the diameter: tolerance of the hidden-point test
+constexpr float kSilhouetteDepth = 0.02F;  // of the diameter: a silhouette has at least this behind
+constexpr float kSilhouetteProbe_px = 0.75F;
 constexpr float kClearHeight_mm = 1e-3F;  // of the camera above a face, beyond rounding
 // Edges between these distances disturb each other; nearer ones are parts of one zigzag.
 constexpr double kCrowdedFrom_px = 1.3;
@@ -29,11 +29,10 @@ constexpr std::size_t kPrefetched = 6;  // mesh edges ahead
 constexpr int kBendApart_px = 3;        // from edges of the mesh
 constexpr int kTextureGradient = 30;    // Sobel response of a texture edge worth following
 
-float depth_at(const ContourExtractor::View& view, int x, int y) {
-  x -= view.region.x;
-  y -= view.region.y;
-  if (x < 0 || y < 0 || x >= view.region.width || y >= view.region.height) return 0.0F;
-  return view.depth_mm.at<float>(y, x);
+/// 0 outside the picture.
+float depth_at(const cv::Mat& depth_mm, int x, int y) {
+  if (x < 0 || y < 0 || x >= depth_mm.cols || y >= depth_mm.rows) return 0.0F;
+  return depth_mm.at<float>(y, x);
 }
 
 /// The farthest of a pixel of the region, not on its border, and its eight neighbours.
@@ -75,29 +74,29 @@ ContourExtractor::ContourExtractor(const TriangleMesh& mesh)
   for (Eigen::Index i = 0; i < count; ++i) {
     const MeshEdge& edge = edges_[static_cast<std::size_t>(i)];
     if (edge.border || edge.crease) continue;
-    const auto plane = [&](const Eigen::Vector3d& normal) -> Eigen::RowVector4f {
-      return Eigen::RowVector4d(normal.x(), normal.y(), normal.z(), -normal.dot(edge.from_mm))
-          .cast<float>();
+    const auto plane = [&](const Eigen::Vector3f& normal) -> Eigen::RowVector4f {
+      return {normal.x(), normal.y(), normal.z(), -normal.dot(edge.from_mm)};
     };
     planes_a_.row(i) = plane(edge.normal_a);
     planes_b_.row(i) = plane(edge.normal_b);
   }
 }
 
-std::uint8_t* ContourExtractor::cell_of(double x, double y, const Region& region,
-                                        double spacing_px) {
-  const int columns = static_cast<int>(region.width / spacing_px) + 1;
-  const int column = static_cast<int>(x / spacing_px), row = static_cast<int>(y / spacing_px);
-  const auto cell = static_cast<std::size_t>(row) * static_cast<std::size_t>(columns) +
-                    static_cast<std::size_t>(column);
-  if (column < 0 || row < 0 || column >= columns || cell >= cells_.size()) return nullptr;
-  return &cells_[cell];
+void ContourExtractor::Cells::clear(const Region& region, double spacing_px) {
+  per_px_ = static_cast<float>(1.0 / spacing_px);
+  columns_ = static_cast<int>(region.width / spacing_px) + 1;
+  rows_ = static_cast<int>(region.height / spacing_px) + 1;
+  taken_.assign(static_cast<std::size_t>(columns_) * static_cast<std::size_t>(rows_), 0);
 }
 
-bool ContourExtractor::claim_cell(const Eigen::Vector2d& image_px, const Region& region,
-                                  double spacing_px) {
-  std::uint8_t* const cell =
-      cell_of(image_px.x() - region.x, image_px.y() - region.y, region, spacing_px);
+std::uint8_t* ContourExtractor::Cells::at(float x, float y) {
+  const int column = static_cast<int>(x * per_px_), row = static_cast<int>(y * per_px_);
+  if (column < 0 || row < 0 || column >= columns_ || row >= rows_) return nullptr;
+  return &taken_[static_cast<std::size_t>(row * columns_ + column)];
+}
+
+bool ContourExtractor::Cells::claim(float x, float y) {
+  std::uint8_t* const cell = at(x, y);
   if (!cell || *cell) return false;
   *cell = 1;
   return true;
@@ -106,9 +105,7 @@ bool ContourExtractor::claim_cell(const Eigen::Vector2d& image_px, const Region&
 void ContourExtractor::extract(const View& view, double spacing_px, bool texture_edges,
                                Workers& workers, std::vector<ContourPoint>& points) {
   points.clear();
-  const auto columns = static_cast<std::size_t>(view.region.width / spacing_px) + 1;
-  const auto rows = static_cast<std::size_t>(view.region.height / spacing_px) + 1;
-  cells_.assign(columns * rows, 0);
+  cells_.clear(view.region, spacing_px);
   const Pose& pose = view.camera_from_object;
   if (!picked_at_ || picked_at_->rotation.coeffs() != pose.rotation.coeffs() ||
       picked_at_->translation_mm != pose.translation_mm) {
@@ -117,7 +114,7 @@ void ContourExtractor::extract(const View& view, double spacing_px, bool texture
   const std::vector<SurfaceBends::Bend>* bends = nullptr;
   workers.each(3, 1, [&](std::size_t part) {
     if (part == 0) {
-      add_mesh_edges(view, spacing_px, points);
+      add_mesh_edges(view, points);
     } else if (part == 1 && bent_) {
       bends = &bends_.find(view.depth_mm, {view.region.x, view.region.y}, view.camera,
                            kSilhouetteDepth * diameter_mm_);
@@ -127,8 +124,8 @@ void ContourExtractor::extract(const View& view, double spacing_px, bool texture
     }
   });
   // Where edges are of several kinds, the first to come counts.
-  if (texture_edges) add_texture_edges(view, spacing_px, points);
-  if (bends) add_bends(view, *bends, spacing_px, points);
+  if (texture_edges) add_texture_edges(view, points);
+  if (bends) add_bends(view, *bends, points);
 }
 
 void ContourExtractor::pick_edges(const Pose& camera_from_object) {
@@ -152,18 +149,16 @@ void ContourExtractor::pick_edges(const Pose& camera_from_object) {
   picked_.resize(count);
 }
 
-void ContourExtractor::add_mesh_edges(const View& view, double spacing_px,
-                                      std::vector<ContourPoint>& points) {
+void ContourExtractor::add_mesh_edges(const View& view, std::vector<ContourPoint>& points) {
   drawn_.create(view.region.height, view.region.width, CV_8UC1);
   drawn_.setTo(0);
-  const Eigen::Matrix3d rotation = view.camera_from_object.rotation.toRotationMatrix();
+  const Eigen::Matrix3f rotation =
+      view.camera_from_object.rotation.toRotationMatrix().cast<float>();
+  const Eigen::Vector3f camera_in_object_mm = object_from_camera_.translation_mm.cast<float>();
   for (std::size_t i = 0; i < picked_.size(); ++i) {
     // They lie so far apart in memory that the processor does not foresee them.
-    const MeshEdge* const soon = &edges_[picked_[std::min(i + kPrefetched, picked_.size() - 1)]];
-    hwy::Prefetch(soon);
-    hwy::Prefetch(&soon->normal_b);
-    add_mesh_edge(edges_[picked_[i]], view, rotation, object_from_camera_.translation_mm,
-                  spacing_px, points);
+    hwy::Prefetch(&edges_[picked_[std::min(i + kPrefetched, picked_.size() - 1)]]);
+    add_mesh_edge(edges_[picked_[i]], view, rotation, camera_in_object_mm, points);
   }
   for (ContourPoint& point : points) point.crowded = is_crowded(point, view);
 }
@@ -183,73 +178,82 @@ bool ContourExtractor::is_crowded(const ContourPoint& point, const View& view) c
 }
 
 void ContourExtractor::add_mesh_edge(const MeshEdge& edge, const View& view,
-                                     const Eigen::Matrix3d& rotation,
-                                     const Eigen::Vector3d& camera_in_object_mm, double spacing_px,
+                                     const Eigen::Matrix3f& rotation,
+                                     const Eigen::Vector3f& camera_in_object_mm,
                                      std::vector<ContourPoint>& points) {
-  const Eigen::Vector3d to_camera = camera_in_object_mm - edge.from_mm;
-  const double facing_a = edge.normal_a.dot(to_camera), facing_b = edge.normal_b.dot(to_camera);
+  const Eigen::Vector3f to_camera = camera_in_object_mm - edge.from_mm;
+  const float facing_a = edge.normal_a.dot(to_camera), facing_b = edge.normal_b.dot(to_camera);
   const bool silhouette = edge.border || facing_a * facing_b <= 0;
   if (!silhouette && !edge.crease) return;
 
-  const Eigen::Vector3d& t = view.camera_from_object.translation_mm;
-  const Eigen::Vector3d from = rotation * edge.from_mm + t, to = rotation * edge.to_mm + t;
+  const Eigen::Vector3f t = view.camera_from_object.translation_mm.cast<float>();
+  const Eigen::Vector3f from = rotation * edge.from_mm + t, to = rotation * edge.to_mm + t;
   if (from.z() < kNearPlane_mm || to.z() < kNearPlane_mm) return;
-  const Eigen::Vector2d from_px = view.camera.project(from), to_px = view.camera.project(to);
-  const Eigen::Vector2d along_px = to_px - from_px;
-  const double length_px = along_px.norm();
+  // From here on in pixels from the region's first.
+  const auto fx = static_cast<float>(view.camera.fx_px), fy = static_cast<float>(view.camera.fy_px);
+  const Eigen::Vector2f center(static_cast<float>(view.camera.cx_px - view.region.x),
+                               static_cast<float>(view.camera.cy_px - view.region.y));
+  const float from_inverse = 1 / from.z(), to_inverse = 1 / to.z();
+  const Eigen::Vector2f from_px = {from.x() * fx * from_inverse, from.y() * fy * from_inverse};
+  const Eigen::Vector2f to_px = {to.x() * fx * to_inverse, to.y() * fy * to_inverse};
+  const Eigen::Vector2f along_px = to_px - from_px;
 
-  Eigen::Vector2d normal(-along_px.y(), along_px.x());
+  Eigen::Vector2f normal(-along_px.y(), along_px.x());
+  const float length_px = normal.norm();
   if (edge.smooth && silhouette) {
     // The contour of a smooth surface: its tangent plane holds the camera's centre, and the edge of
     // the mesh zigzags around it. A plane with normal n through the centre is the image line K^-T
     // n.
-    const Eigen::Vector3d n =
+    const Eigen::Vector3f n =
         rotation * (std::abs(facing_b) * edge.normal_a + std::abs(facing_a) * edge.normal_b);
-    normal = {n.x() / view.camera.fx_px, n.y() / view.camera.fy_px};
+    normal = {n.x() / fx, n.y() / fy};
   }
-  if (!(normal.norm() > 1e-12)) return;
+  if (!(normal.squaredNorm() > 1e-24F)) return;
   normal.normalize();
 
   const bool round = silhouette && !edge.crease && !edge.border;
+  const auto diameter_mm = static_cast<float>(diameter_mm_);
   // Beside the contour of a round surface the surface falls towards the camera: a sphere of radius
   // r by sqrt(2 r d) at a distance d.
-  const double mm_per_px = std::max(from.z(), to.z()) / view.camera.fx_px;
-  const double fall_mm = round ? std::sqrt(diameter_mm_ * kSilhouetteProbe_px * mm_per_px) : 0.0;
-  const double in_front_mm = std::max(kVisibleDepth * diameter_mm_, fall_mm);
+  const float mm_per_px = std::max(from.z(), to.z()) / fx;
+  const float fall_mm = round ? std::sqrt(diameter_mm * kSilhouetteProbe_px * mm_per_px) : 0.0F;
+  const float in_front_mm = std::max(kVisibleDepth * diameter_mm, fall_mm);
   const int steps = std::max(1, cvRound(length_px));
   if (steps > 4 * (view.camera.width_px + view.camera.height_px)) return;  // touches the camera
+  const float step = 1 / static_cast<float>(steps);
   for (int i = 0; i < steps; ++i) {
     // Even steps in the image are uneven in space: interpolate by inverse depth.
-    const double s = (i + 0.5) / steps;
-    const double weight_from = (1 - s) / from.z(), weight_to = s / to.z();
-    const double z_mm = 1.0 / (weight_from + weight_to);
-    const Eigen::Vector2d image_px = from_px + s * along_px;
-    if (!inside_image(image_px, view.camera)) continue;
-
-    const int x = cvRound(image_px.x()) - view.region.x;
-    const int y = cvRound(image_px.y()) - view.region.y;
+    const float s = (static_cast<float>(i) + 0.5F) * step;
+    const float weight_from = (1 - s) * from_inverse, weight_to = s * to_inverse;
+    const float z_mm = 1 / (weight_from + weight_to);
+    const Eigen::Vector2f at_px = center + from_px + s * along_px;
+    const int x = cvRound(at_px.x()), y = cvRound(at_px.y());
     if (x < 1 || y < 1 || x > view.region.width - 2 || y > view.region.height - 2) continue;
     if (farthest_around(view.depth_mm, x, y) < z_mm - in_front_mm) continue;
     if (round) {
       bool stands_out = false;
-      for (const double side : {-kSilhouetteProbe_px, kSilhouetteProbe_px}) {
-        const Eigen::Vector2d probe = image_px + side * normal;
-        const float behind = depth_at(view, cvRound(probe.x()), cvRound(probe.y()));
-        stands_out |= behind == 0.0F || behind > z_mm + kSilhouetteDepth * diameter_mm_;
+      for (const float side : {-kSilhouetteProbe_px, kSilhouetteProbe_px}) {
+        const Eigen::Vector2f probe = at_px + side * normal;
+        const float behind = depth_at(view.depth_mm, cvRound(probe.x()), cvRound(probe.y()));
+        stands_out |= behind == 0.0F || behind > z_mm + kSilhouetteDepth * diameter_mm;
       }
       if (!stands_out) continue;
     }
     drawn_.at<std::uint8_t>(y, x) = 1;
-    if (!claim_cell(image_px, view.region, spacing_px)) continue;
-    points.push_back({(weight_from * edge.from_mm + weight_to * edge.to_mm) * z_mm, normal, false});
+    if (!cells_.claim(at_px.x(), at_px.y())) continue;
+    const Eigen::Vector3f place_mm = (weight_from * edge.from_mm + weight_to * edge.to_mm) * z_mm;
+    points.push_back({place_mm.cast<double>(), normal.cast<double>().normalized(), false});
   }
 }
 
 void ContourExtractor::add_surface_point(const View& view, const Eigen::Vector2d& image_px,
-                                         double z_mm, double spacing_px, ContourPoint point,
+                                         double z_mm, ContourPoint point,
                                          std::vector<ContourPoint>& points) {
   if (!inside_image(image_px, view.camera)) return;
-  if (!claim_cell(image_px, view.region, spacing_px)) return;
+  if (!cells_.claim(static_cast<float>(image_px.x() - view.region.x),
+                    static_cast<float>(image_px.y() - view.region.y))) {
+    return;
+  }
   const CameraModel& camera = view.camera;
   const Eigen::Vector3d camera_mm((image_px.x() - camera.cx_px) / camera.fx_px * z_mm,
                                   (image_px.y() - camera.cy_px) / camera.fy_px * z_mm, z_mm);
@@ -258,7 +262,7 @@ void ContourExtractor::add_surface_point(const View& view, const Eigen::Vector2d
 }
 
 void ContourExtractor::add_bends(const View& view, const std::vector<SurfaceBends::Bend>& bends,
-                                 double spacing_px, std::vector<ContourPoint>& points) {
+                                 std::vector<ContourPoint>& points) {
   for (const SurfaceBends::Bend& bend : bends) {
     const int x = cvRound(bend.place_px.x());
     const int y = cvRound(bend.place_px.y());
@@ -267,13 +271,12 @@ void ContourExtractor::add_bends(const View& view, const std::vector<SurfaceBend
     // A crease of the mesh is there already.
     if (cv::countNonZero(drawn_(around & cv::Rect({}, drawn_.size()))) > 0) continue;
     add_surface_point(view, bend.place_px + Eigen::Vector2d(view.region.x, view.region.y),
-                      view.depth_mm.at<float>(y, x), spacing_px,
+                      view.depth_mm.at<float>(y, x),
                       {.object_mm = {}, .normal = bend.across, .bend = true}, points);
   }
 }
 
-void ContourExtractor::add_texture_edges(const View& view, double spacing_px,
-                                         std::vector<ContourPoint>& points) {
+void ContourExtractor::add_texture_edges(const View& view, std::vector<ContourPoint>& points) {
   squared_.create(along_x_.size(), CV_32SC1);
   places_.resize(along_x_.total());
   const auto stride = static_cast<std::ptrdiff_t>(squared_.step1());
@@ -290,7 +293,7 @@ void ContourExtractor::add_texture_edges(const View& view, double spacing_px,
     const auto columns = static_cast<std::uint32_t>(along_x_.cols);
     const int x = static_cast<int>(places_[i] % columns);
     const int y = static_cast<int>(places_[i] / columns);
-    const std::uint8_t* const cell = cell_of(x, y, view.region, spacing_px);
+    const std::uint8_t* const cell = cells_.at(static_cast<float>(x), static_cast<float>(y));
     if (cell && *cell) continue;
     // Next to a depth edge the picture shows the silhouette, which the mesh gives better.
     if (near_depth_edge(view.depth_mm, x, y, kSilhouetteDepth * diameter_mm_)) continue;
@@ -304,7 +307,7 @@ void ContourExtractor::add_texture_edges(const View& view, double spacing_px,
     const double offset = ridge_offset(before, here, after);
     const Eigen::Vector2d image_px(view.region.x + x + sx * offset,
                                    view.region.y + y + sy * offset);
-    add_surface_point(view, image_px, view.depth_mm.at<float>(y, x), spacing_px,
+    add_surface_point(view, image_px, view.depth_mm.at<float>(y, x),
                       {.object_mm = {}, .normal = gradient / here, .texture = true}, points);
   }
 }

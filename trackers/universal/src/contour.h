@@ -56,22 +56,33 @@ class ContourExtractor {
                std::vector<ContourPoint>& points);
 
  private:
-  void add_mesh_edges(const View& view, double spacing_px, std::vector<ContourPoint>& points);
-  void add_mesh_edge(const MeshEdge& edge, const View& view, const Eigen::Matrix3d& rotation,
-                     const Eigen::Vector3d& camera_in_object_mm, double spacing_px,
-                     std::vector<ContourPoint>& points);
+  void add_mesh_edges(const View& view, std::vector<ContourPoint>& points);
+  void add_mesh_edge(const MeshEdge& edge, const View& view, const Eigen::Matrix3f& rotation,
+                     const Eigen::Vector3f& camera_in_object_mm, std::vector<ContourPoint>& points);
   /// Places `point` where the surface, `z_mm` away, appears at `image_px`, unless another point is
   /// near.
   void add_surface_point(const View& view, const Eigen::Vector2d& image_px, double z_mm,
-                         double spacing_px, ContourPoint point, std::vector<ContourPoint>& points);
-  void add_bends(const View& view, const std::vector<SurfaceBends::Bend>& bends, double spacing_px,
+                         ContourPoint point, std::vector<ContourPoint>& points);
+  void add_bends(const View& view, const std::vector<SurfaceBends::Bend>& bends,
                  std::vector<ContourPoint>& points);
   /// Takes the gradients of the view's brightness.
-  void add_texture_edges(const View& view, double spacing_px, std::vector<ContourPoint>& points);
-  /// The cell of a place of the region, pixels; null if there is none.
-  std::uint8_t* cell_of(double x, double y, const Region& region, double spacing_px);
-  bool claim_cell(const Eigen::Vector2d& image_px, const Region& region, double spacing_px);
+  void add_texture_edges(const View& view, std::vector<ContourPoint>& points);
   bool is_crowded(const ContourPoint& point, const View& view) const;
+
+  /// Where points were placed already: squares of the region as wide as the points' spacing.
+  class Cells {
+   public:
+    void clear(const Region& region, double spacing_px);
+    /// Of a place, pixels from the region's first; null if there is none.
+    std::uint8_t* at(float x, float y);
+    /// Whether a point may be placed there, and no other from now on.
+    bool claim(float x, float y);
+
+   private:
+    float per_px_ = 1;
+    int columns_ = 0, rows_ = 0;
+    std::vector<std::uint8_t> taken_;
+  };
 
   /// The planes of the faces on one side of each edge: products with a point in homogeneous
   /// coordinates are its heights above them, mm. Zero for creases and borders, which are seen from
@@ -85,11 +96,11 @@ class ContourExtractor {
   Eigen::VectorXf height_a_, height_b_;  ///< of the camera
   std::vector<std::uint32_t> picked_;    ///< edges that may be part of the contour
   double diameter_mm_;
-  bool bent_ = false;                ///< the surface has bends that are no creases
-  std::vector<std::uint8_t> cells_;  ///< where points were placed already
-  cv::Mat drawn_;                    ///< pixels of the region that visible edges of the mesh cross
-  cv::Mat along_x_, along_y_;        ///< gradients of the brightness
-  cv::Mat squared_;                  ///< and their squared lengths
+  bool bent_ = false;  ///< the surface has bends that are no creases
+  Cells cells_;
+  cv::Mat drawn_;              ///< pixels of the region that visible edges of the mesh cross
+  cv::Mat along_x_, along_y_;  ///< gradients of the brightness
+  cv::Mat squared_;            ///< and their squared lengths
   std::vector<std::uint32_t> places_;  ///< see RidgeJob
   SurfaceBends bends_;
 };

@@ -46,7 +46,7 @@ std::vector<double> line_lengths_mm(const std::vector<SharpEdge>& sharp,
   std::vector<double> length_mm;
   for (std::size_t i = 0; i < sharp.size(); ++i) {
     const MeshEdge& edge = edges[sharp[i].index];
-    const Eigen::Vector3d along = edge.to_mm - edge.from_mm;
+    const Eigen::Vector3d along = (edge.to_mm - edge.from_mm).cast<double>();
     length_mm.push_back(along.norm());
     starts[sharp[i].ends.first].push_back({i, along.normalized()});
     starts[sharp[i].ends.second].push_back({i, -along.normalized()});
@@ -72,15 +72,15 @@ std::vector<MeshEdge> mesh_edges(const TriangleMesh& mesh) {
     bool forward;  // the triangle runs through the edge from the lower to the higher vertex
   };
   const auto welded = mesh.welded();
-  const auto position = [&](std::uint32_t i) -> Eigen::Vector3d {
-    return mesh.vertices()[i].position_mm.cast<double>();
+  const auto position = [&](std::uint32_t i) -> const Eigen::Vector3f& {
+    return mesh.vertices()[i].position_mm;
   };
+  const auto exact = [&](std::uint32_t i) -> Eigen::Vector3d { return position(i).cast<double>(); };
   std::map<Ends, std::vector<Side>> sides;
   std::vector<Eigen::Vector3d> normals;
   for (const Triangle& t : mesh.triangles()) {
     const auto index = static_cast<std::uint32_t>(normals.size());
-    normals.push_back(
-        (position(t[1]) - position(t[0])).cross(position(t[2]) - position(t[0])).normalized());
+    normals.push_back((exact(t[1]) - exact(t[0])).cross(exact(t[2]) - exact(t[0])).normalized());
     for (int c = 0; c < 3; ++c) {
       const std::uint32_t from = welded[t[c]], to = welded[t[(c + 1) % 3]];
       sides[std::minmax(from, to)].push_back({index, from < to});
@@ -92,14 +92,17 @@ std::vector<MeshEdge> mesh_edges(const TriangleMesh& mesh) {
     MeshEdge edge;
     edge.from_mm = position(ends.first);
     edge.to_mm = position(ends.second);
-    edge.normal_a = edge.normal_b = normals[faces[0].triangle];
     edge.border = faces.size() != 2;
+    const Eigen::Vector3d& normal_a = normals[faces[0].triangle];
+    Eigen::Vector3d normal_b = normal_a;
     if (!edge.border) {
-      edge.normal_b = normals[faces[1].triangle];
+      normal_b = normals[faces[1].triangle];
       // Faces wound alike run through their edge in opposite directions.
-      if (faces[0].forward == faces[1].forward) edge.normal_b = -edge.normal_b;
+      if (faces[0].forward == faces[1].forward) normal_b = -normal_b;
     }
-    const double cosine = edge.normal_a.dot(edge.normal_b);
+    edge.normal_a = normal_a.cast<float>();
+    edge.normal_b = normal_b.cast<float>();
+    const double cosine = normal_a.dot(normal_b);
     edge.smooth = !edge.border && cosine > kSmoothCosine;
     // Edges inside a flat face can never be seen.
     if (!edge.border && cosine > 1.0 - 1e-9) continue;

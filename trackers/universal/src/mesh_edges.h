@@ -9,11 +9,11 @@
 
 namespace anneal6d {
 
-/// An edge of a mesh, object frame.
-struct MeshEdge {
-  Eigen::Vector3d from_mm, to_mm;
+/// An edge of a mesh, object frame; all of it in one cache line.
+struct alignas(64) MeshEdge {
+  Eigen::Vector3f from_mm, to_mm;
   /// Of the faces, unit, on the same side; equal on a border.
-  Eigen::Vector3d normal_a, normal_b;
+  Eigen::Vector3f normal_a, normal_b;
   bool border = false;  ///< of an open surface, or where more than two faces meet
   bool crease = false;  ///< sharp and long, or part of such a line: seen also inside the outline
   bool smooth = false;  ///< the faces approximate one smooth surface

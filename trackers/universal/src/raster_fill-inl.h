@@ -104,6 +104,7 @@ HWY_INLINE void FillRows(Tag tag, const TriangleJob& job, const Group& g, const 
   const auto lanes = static_cast<float>(hn::Lanes(tag));
   for (int r = 0; r < count; ++r) {
     const Row& row = rows[r];
+    if (kTextured && !(row.width[i] > 0)) continue;  // without texture that takes longer
     const auto of_row = [&](Row::Values Row::*values) { return hn::Set(tag, (row.*values)[i]); };
     std::uint32_t* at = drawing + row.place[i];
     auto along = hn::Iota(tag, 0.0F);
@@ -130,6 +131,7 @@ HWY_INLINE void FillNarrowRows(const TriangleJob& job, const Group& g, const Row
     const VF along = hn::Sub(hn::Iota(f, 0.0F), hn::IfThenElseZero(second, hn::Set(f, kHalf)));
     for (int r = 0; r + 1 < count; r += 2) {
       const Row &upper = rows[r], &lower = rows[r + 1];
+      if (!(upper.width[i] > 0) && !(lower.width[i] > 0)) continue;
       const auto of_row = [&](Row::Values Row::*values) {
         return hn::IfThenElse(second, hn::Set(f, (lower.*values)[i]),
                               hn::Set(f, (upper.*values)[i]));

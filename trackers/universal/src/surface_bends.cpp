@@ -17,6 +17,14 @@ constexpr float kLeastTurn = 0.5F;  // rad
 constexpr float kBesideShare = 0.6F;
 static_assert(BendJob::kFlat < kBesideShare * kLeastTurn);
 
+/// The unit vector at half the angle of `v` to the x axis, which is -90 to 90 degrees.
+Eigen::Vector2d half_the_angle(const Eigen::Vector2d& v) {
+  const double length = v.norm();
+  if (length == 0) return Eigen::Vector2d::UnitX();
+  const double cosine = v.x() / length;
+  return {std::sqrt(0.5 * (1 + cosine)), std::copysign(std::sqrt(0.5 * (1 - cosine)), v.y())};
+}
+
 }  // namespace
 
 Eigen::Vector3f SurfaceBends::normal_at(int x, int y) const {
@@ -61,8 +69,7 @@ const std::vector<SurfaceBends::Bend>& SurfaceBends::find(const cv::Mat& depth_m
       const int sx = xx_less_yy >= 0 ? 1 : 0, sy = 1 - sx;
       const float before = turn_at(x - sx, y - sy), after = turn_at(x + sx, y + sy);
       if (here < before || here <= after) continue;
-      const double angle = 0.5 * std::atan2(2.0F * along_x.dot(along_y), xx_less_yy);
-      const Eigen::Vector2d across(std::cos(angle), std::sin(angle));
+      const Eigen::Vector2d across = half_the_angle({xx_less_yy, 2.0F * along_x.dot(along_y)});
       const auto beside = [&](double distance) {
         return turn_at(x + cvRound(distance * across.x()), y + cvRound(distance * across.y()));
       };
