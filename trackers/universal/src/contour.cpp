@@ -21,7 +21,8 @@ const double kBentCosine = std::cos(8.0 * (std::numbers::pi / 180.0));
 constexpr float kVisibleDepth = 0.01F;     // of the diameter: tolerance of the hidden-point test
 constexpr float kSilhouetteDepth = 0.02F;  // of the diameter: a silhouette has at least this behind
 constexpr float kSilhouetteProbe_px = 0.75F;
-constexpr float kClearHeight_mm = 1e-3F;  // of the camera above a face, beyond rounding
+constexpr float kClearHeight_mm = 1e-3F;  // of the camera above a triangle, beyond rounding
+constexpr std::uint8_t kEitherSide = 3;
 // Edges between these distances disturb each other; nearer ones are parts of one zigzag.
 constexpr double kCrowdedFrom_px = 1.3;
 constexpr double kCrowdedTo_px = 4.0;
@@ -68,17 +69,24 @@ ContourExtractor::ContourExtractor(const TriangleMesh& mesh)
   bent_ = std::any_of(edges_.begin(), edges_.end(), [](const MeshEdge& edge) {
     return !edge.border && !edge.crease && edge.normal_a.dot(edge.normal_b) < kBentCosine;
   });
-  const auto count = static_cast<Eigen::Index>(edges_.size());
-  planes_a_.setZero(count, 4);
-  planes_b_.setZero(count, 4);
-  for (Eigen::Index i = 0; i < count; ++i) {
-    const MeshEdge& edge = edges_[static_cast<std::size_t>(i)];
-    if (edge.border || edge.crease) continue;
-    const auto plane = [&](const Eigen::Vector3f& normal) -> Eigen::RowVector4f {
-      return {normal.x(), normal.y(), normal.z(), -normal.dot(edge.from_mm)};
+  const auto triangles = mesh.triangles();
+  planes_.resize(static_cast<Eigen::Index>(triangles.size()), 4);
+  for (Eigen::Index i = 0; i < planes_.rows(); ++i) {
+    const Triangle& t = triangles[static_cast<std::size_t>(i)];
+    const auto at = [&](int corner) -> Eigen::Vector3d {
+      return mesh.vertices()[t[corner]].position_mm.cast<double>();
     };
-    planes_a_.row(i) = plane(edge.normal_a);
-    planes_b_.row(i) = plane(edge.normal_b);
+    const Eigen::Vector3d normal = (at(1) - at(0)).cross(at(2) - at(0)).normalized();
+    planes_.row(i) << normal.transpose().cast<float>(), static_cast<float>(-normal.dot(at(0)));
+  }
+  const auto count = static_cast<std::uint32_t>(triangles.size());
+  sides_.assign(2 * triangles.size() + 1, kEitherSide);
+  for (const MeshEdge& edge : edges_) {
+    if (edge.border || edge.crease) {
+      beside_.push_back({2 * count, 2 * count});
+    } else {
+      beside_.push_back({edge.triangle_a, edge.triangle_b + (edge.turned ? count : 0)});
+    }
   }
 }
 
@@ -132,21 +140,23 @@ void ContourExtractor::pick_edges(const Pose& camera_from_object) {
   picked_at_ = camera_from_object;
   object_from_camera_ = camera_from_object.inverse();
   const Eigen::Vector4f camera = object_from_camera_.translation_mm.homogeneous().cast<float>();
-  height_a_.noalias() = planes_a_ * camera;
-  height_b_.noalias() = planes_b_ * camera;
-  // Most edges lie between faces that are both in front of the camera, or both turned away. Bits
-  // instead of branches, which would be mispredicted.
-  picked_.resize(edges_.size());
-  std::size_t count = 0;
-  for (std::size_t i = 0; i < edges_.size(); ++i) {
-    const auto index = static_cast<Eigen::Index>(i);
-    const float a = height_a_[index], b = height_b_[index];
-    const bool both_in_front = (a > kClearHeight_mm) & (b > kClearHeight_mm);
-    const bool both_turned_away = (a < -kClearHeight_mm) & (b < -kClearHeight_mm);
-    picked_[count] = static_cast<std::uint32_t>(i);
-    count += !(both_in_front | both_turned_away);
+  heights_.noalias() = planes_ * camera;
+  const auto count = static_cast<std::size_t>(heights_.size());
+  for (std::size_t i = 0; i < count; ++i) {
+    const float height = heights_[static_cast<Eigen::Index>(i)];
+    const int may_be_before = height > -kClearHeight_mm, may_be_behind = height < kClearHeight_mm;
+    sides_[i] = static_cast<std::uint8_t>(may_be_before | may_be_behind << 1);
+    sides_[count + i] = static_cast<std::uint8_t>(may_be_behind | may_be_before << 1);
   }
-  picked_.resize(count);
+  // Most edges lie between triangles that are both in front of the camera, or both turned away. No
+  // branches, which would be mispredicted.
+  picked_.resize(edges_.size());
+  std::size_t picked = 0;
+  for (std::size_t i = 0; i < beside_.size(); ++i) {
+    picked_[picked] = static_cast<std::uint32_t>(i);
+    picked += (sides_[beside_[i][0]] | sides_[beside_[i][1]]) == kEitherSide;
+  }
+  picked_.resize(picked);
 }
 
 void ContourExtractor::add_mesh_edges(const View& view, std::vector<ContourPoint>& points) {

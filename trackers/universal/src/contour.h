@@ -3,6 +3,7 @@
 #pragma once
 
 #include <Eigen/Core>
+#include <array>
 #include <cstdint>
 #include <opencv2/core/mat.hpp>
 #include <optional>
@@ -84,17 +85,20 @@ class ContourExtractor {
     std::vector<std::uint8_t> taken_;
   };
 
-  /// The planes of the faces on one side of each edge: products with a point in homogeneous
-  /// coordinates are its heights above them, mm. Zero for creases and borders, which are seen from
-  /// anywhere.
-  using Planes = Eigen::Matrix<float, Eigen::Dynamic, 4>;
-
   std::vector<MeshEdge> edges_;
-  Planes planes_a_, planes_b_;
-  std::optional<Pose> picked_at_;        ///< camera_from_object
-  Pose object_from_camera_;              ///< there
-  Eigen::VectorXf height_a_, height_b_;  ///< of the camera
-  std::vector<std::uint32_t> picked_;    ///< edges that may be part of the contour
+  /// The planes of the triangles: products with a point in homogeneous coordinates are its heights
+  /// above them, mm.
+  Eigen::Matrix<float, Eigen::Dynamic, 4> planes_;
+  /// Of each edge the entries of `sides_` on both sides of it.
+  std::vector<std::array<std::uint32_t, 2>> beside_;
+  std::optional<Pose> picked_at_;  ///< camera_from_object
+  Pose object_from_camera_;        ///< there
+  Eigen::VectorXf heights_;        ///< of the camera
+  /// On which sides of the triangles the camera may be: 1 before it, 2 behind it, 3 either. Then
+  /// the same of triangles wound the other way, and last, for creases and borders, which are seen
+  /// from anywhere, 3.
+  std::vector<std::uint8_t> sides_;
+  std::vector<std::uint32_t> picked_;  ///< edges that may be part of the contour
   double diameter_mm_;
   bool bent_ = false;  ///< the surface has bends that are no creases
   Cells cells_;

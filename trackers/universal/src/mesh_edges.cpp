@@ -93,13 +93,12 @@ std::vector<MeshEdge> mesh_edges(const TriangleMesh& mesh) {
     edge.from_mm = position(ends.first);
     edge.to_mm = position(ends.second);
     edge.border = faces.size() != 2;
-    const Eigen::Vector3d& normal_a = normals[faces[0].triangle];
-    Eigen::Vector3d normal_b = normal_a;
-    if (!edge.border) {
-      normal_b = normals[faces[1].triangle];
-      // Faces wound alike run through their edge in opposite directions.
-      if (faces[0].forward == faces[1].forward) normal_b = -normal_b;
-    }
+    edge.triangle_a = faces.front().triangle;
+    edge.triangle_b = edge.border ? edge.triangle_a : faces[1].triangle;
+    // Triangles wound alike run through their edge in opposite directions.
+    edge.turned = !edge.border && faces[0].forward == faces[1].forward;
+    const Eigen::Vector3d& normal_a = normals[edge.triangle_a];
+    const Eigen::Vector3d normal_b = (edge.turned ? -1.0 : 1.0) * normals[edge.triangle_b];
     edge.normal_a = normal_a.cast<float>();
     edge.normal_b = normal_b.cast<float>();
     const double cosine = normal_a.dot(normal_b);

@@ -18,8 +18,8 @@ constexpr double kSpacing_px = 2.5;
 constexpr std::size_t kMostContour = 240;
 constexpr std::size_t kSamplesPerTask = 120;
 constexpr int kMostEdges = 300;
-constexpr double kProbe_px = 1.6;  // beside a contour, to tell object from background
-constexpr double kBend_px = 2.0;
+constexpr float kProbe_px = 1.6F;  // beside a contour, to tell object from background
+constexpr float kBend_px = 2.0F;
 constexpr int kFarthest_px = 16;
 constexpr int kShiftReach_px = 2;
 constexpr double kMostShift_px = 0.7;  // of an edge that stands alone
@@ -72,11 +72,10 @@ ModelView ViewPainter::paint(const Eigen::Vector3d& direction, std::uint32_t see
   return view;
 }
 
-float ViewPainter::depth_at(const Eigen::Vector2d& image_px) const {
-  const int x = cvRound(image_px.x()) - region_.x;
-  const int y = cvRound(image_px.y()) - region_.y;
-  if (x < 0 || y < 0 || x >= region_.width || y >= region_.height) return 0.0F;
-  return depth_mm_.at<float>(y, x);
+float ViewPainter::depth_at(float x, float y) const {
+  const int column = cvRound(x), row = cvRound(y);
+  if (column < 0 || row < 0 || column >= region_.width || row >= region_.height) return 0.0F;
+  return depth_mm_.at<float>(row, column);
 }
 
 ModelView ViewPainter::paint_contour(const Pose& camera_from_object, std::size_t most_samples,
@@ -153,12 +152,18 @@ ContourSample ViewPainter::sample_of(const ContourPoint& point, const Pose& came
   const double mm_per_px = camera_mm.z() / camera_.fx_px;
   ContourSample sample;
   if (point.texture) sample.polarity = 1;
-  const auto beside = [&](double px) { return depth_at(image_px + px * normal); };
-  const auto empty_beside = [&](double sign) {
+  const auto x = static_cast<float>(image_px.x() - region_.x);
+  const auto y = static_cast<float>(image_px.y() - region_.y);
+  Eigen::Vector2f across_px = normal.cast<float>();
+  const auto beside = [&](float px) {
+    return depth_at(x + px * across_px.x(), y + px * across_px.y());
+  };
+  const auto empty_beside = [&](float sign) {
     return beside(sign * kProbe_px) == 0.0F && beside(sign * 2 * kProbe_px) == 0.0F;
   };
   if (empty_beside(-1) || (!empty_beside(1) && beside(-kProbe_px) > beside(kProbe_px))) {
     normal = -normal;  // towards what is farther away
+    across_px = -across_px;
     sample.polarity = -sample.polarity;
   }
 
@@ -180,8 +185,9 @@ ContourSample ViewPainter::sample_of(const ContourPoint& point, const Pose& came
   }
   if (sample.silhouette) {
     int inside = 1, outside = 1;
-    while (inside < kFarthest_px && beside(-inside - 1) > 0.0F) ++inside;
-    while (outside < kFarthest_px && beside(outside + 1) == 0.0F) ++outside;
+    const auto behind_px = [&](int px) { return beside(static_cast<float>(px)); };
+    while (inside < kFarthest_px && behind_px(-inside - 1) > 0.0F) ++inside;
+    while (outside < kFarthest_px && behind_px(outside + 1) == 0.0F) ++outside;
     sample.inside_mm = static_cast<float>(inside * mm_per_px);
     sample.outside_mm = static_cast<float>(outside * mm_per_px);
   }

@@ -40,8 +40,8 @@ class ViewPainter {
                           const Eigen::Vector3d& camera_mm, const Eigen::Vector2d& image_px,
                           Eigen::Vector2d& normal) const;
   void sample_edges(const Pose& camera_from_object, std::uint32_t seed, ModelView& view);
-  /// Depth of the picture, millimetres, 0 outside the object.
-  float depth_at(const Eigen::Vector2d& image_px) const;
+  /// Depth of the picture, millimetres, 0 outside the object; pixels from the region's first.
+  float depth_at(float x, float y) const;
 
   const RasterModel& model_;
   EdgeOptions edges_;
