@@ -6,6 +6,7 @@
 
 #include <Eigen/Core>
 #include <Eigen/Geometry>
+#include <algorithm>
 #include <array>
 #include <cmath>
 #include <random>
@@ -24,20 +25,20 @@ constexpr std::size_t kMost = 75;
 
 /// Numbers of contour points, and the pointers that kernels want.
 struct Rows {
-  std::array<std::array<float, kMost + LineJob::kPadding>, 21> numbers{};
+  std::array<std::array<float, kMost + LineJob::kPadding>, 22> numbers{};
 
   ContourPoints points() {
     auto* row = numbers.data();
     const auto next = [&] { return (row++)->data(); };
-    return {next(), next(), next(), next(), next(), next(),
+    return {next(), next(), next(), next(), next(), next(), next(),
             next(), next(), next(), next(), next(), next()};
   }
   LineCandidates candidates() {
     LineCandidates all;
     for (std::size_t k = 0; k < LineJob::kCandidates; ++k) {
-      all.offset_px[k] = numbers[12 + 3 * k].data();
-      all.weight[k] = numbers[13 + 3 * k].data();
-      all.log_score[k] = numbers[14 + 3 * k].data();
+      all.offset_px[k] = numbers[13 + 3 * k].data();
+      all.weight[k] = numbers[14 + 3 * k].data();
+      all.log_score[k] = numbers[15 + 3 * k].data();
     }
     return all;
   }
@@ -61,7 +62,7 @@ std::vector<ContourSample> random_samples() {
     sample.inside_mm = static_cast<float>(uniform(0, 20));
     sample.outside_mm = static_cast<float>(uniform(0, 20));
     sample.shift_px = static_cast<float>(uniform(-1, 1));
-    sample.trust = static_cast<float>(uniform(0, 1));
+    sample.trust = static_cast<float>(std::min(1.0, uniform(0, 2)));
     sample.silhouette = uniform(0, 1) < 0.5;
     sample.polarity = static_cast<int>(uniform(0, 3)) - 1;
   }
@@ -136,7 +137,9 @@ TEST(ProjectedContour, IsWhatGeometrySays) {
         EXPECT_NEAR(points.image_y[seen], image_px.y(), 5e-3);
         EXPECT_NEAR(points.normal_x[seen], across.x() / px_per_mm, 1e-3);
         EXPECT_NEAR(points.normal_y[seen], across.y() / px_per_mm, 1e-3);
-        EXPECT_EQ(points.shift_px[seen], sample.shift_px);
+        const bool shaded = sample.silhouette && sample.trust == 1;
+        EXPECT_EQ(points.shift_px[seen], shaded ? 0 : sample.shift_px);
+        EXPECT_EQ(points.shading_px[seen], shaded ? sample.shift_px : 0);
         EXPECT_EQ(points.trust[seen], sample.trust);
         EXPECT_EQ(points.polarity[seen], static_cast<float>(sample.polarity));
         if (sample.silhouette) {

@@ -9,6 +9,7 @@
 #include <cmath>
 #include <cstdint>
 #include <opencv2/core.hpp>
+#include <opencv2/imgproc.hpp>
 #include <vector>
 
 #include "appearance.h"
@@ -180,6 +181,44 @@ TEST_P(SampledLines, ShowTheSameEdgesOnEveryInstructionSetAlone) {
 }
 
 INSTANTIATE_TEST_SUITE_P(GreyAndColour, SampledLines, testing::Values(1, 3));
+
+/// Where the edge is found of an object that fades towards its outline, in pixels behind that.
+float edge_of_faded_object(int background, const float* shading_px) {
+  constexpr int kOutside = 24;  // the first column of the background
+  cv::Mat picture(16, 48, CV_8UC1, cv::Scalar(background));
+  for (int x = 0; x < kOutside; ++x) {
+    picture.col(x) = 150.0 - 40.0 / std::sqrt(static_cast<double>(kOutside - x));
+  }
+  cv::GaussianBlur(picture, picture, {5, 5}, kEdgeBlur_px, kEdgeBlur_px);
+  using Row = std::array<float, 1 + LineJob::kPadding>;
+  const Row x{kOutside - 0.5F}, y{8}, along_x{1}, along_y{0}, inside{8}, outside{8}, polarity{0};
+  LineJob job = lines_through(picture, 3);
+  job.count = 1;
+  job.x = x.data();
+  job.y = y.data();
+  job.normal_x = along_x.data();
+  job.normal_y = along_y.data();
+  job.inside_px = inside.data();
+  job.outside_px = outside.data();
+  job.polarity = polarity.data();
+  job.shading_px = shading_px;
+  Row offset{}, strength{}, agreement{};
+  find_strongest(job, {offset.data(), strength.data(), agreement.data()});
+  EXPECT_GT(strength[0], 0) << "no edge before " << background;
+  return offset[0];
+}
+
+TEST(EdgesOfAShadedObject, AreNearerToWhereItEndsBeforeAnyBackground) {
+  const std::array<float, 1 + LineJob::kPadding> shading_px{edge_of_faded_object(0, nullptr)};
+  EXPECT_LT(shading_px[0], -0.1F) << "inside";
+  EXPECT_LT(edge_of_faded_object(60, nullptr), shading_px[0]) << "there is less contrast";
+  EXPECT_GT(edge_of_faded_object(200, nullptr), 0.1F) << "outside, before what is brighter";
+  for (const int background : {0, 30, 60, 180, 200, 220, 240}) {
+    const float found_px = edge_of_faded_object(background, nullptr);
+    const float told_px = edge_of_faded_object(background, shading_px.data());
+    EXPECT_LT(std::abs(told_px), 0.6F * std::abs(found_px)) << background;
+  }
+}
 
 }  // namespace
 }  // namespace anneal6d

@@ -30,12 +30,6 @@ constexpr std::size_t kPrefetched = 6;  // mesh edges ahead
 constexpr int kBendApart_px = 3;        // from edges of the mesh
 constexpr int kTextureGradient = 30;    // Sobel response of a texture edge worth following
 
-/// 0 outside the picture.
-float depth_at(const cv::Mat& depth_mm, int x, int y) {
-  if (x < 0 || y < 0 || x >= depth_mm.cols || y >= depth_mm.rows) return 0.0F;
-  return depth_mm.at<float>(y, x);
-}
-
 /// The farthest of a pixel of the region, not on its border, and its eight neighbours.
 float farthest_around(const cv::Mat& depth_mm, int x, int y) {
   float farthest_mm = 0.0F;
@@ -228,6 +222,7 @@ void ContourExtractor::add_mesh_edge(const MeshEdge& edge, const View& view,
   const float mm_per_px = std::max(from.z(), to.z()) / fx;
   const float fall_mm = round ? std::sqrt(diameter_mm * kSilhouetteProbe_px * mm_per_px) : 0.0F;
   const float in_front_mm = std::max(kVisibleDepth * diameter_mm, fall_mm);
+  const float behind_mm = kSilhouetteDepth * diameter_mm;
   const int steps = std::max(1, cvRound(length_px));
   if (steps > 4 * (view.camera.width_px + view.camera.height_px)) return;  // touches the camera
   const float step = 1 / static_cast<float>(steps);
@@ -239,16 +234,15 @@ void ContourExtractor::add_mesh_edge(const MeshEdge& edge, const View& view,
     const Eigen::Vector2f at_px = center + from_px + s * along_px;
     const int x = cvRound(at_px.x()), y = cvRound(at_px.y());
     if (x < 1 || y < 1 || x > view.region.width - 2 || y > view.region.height - 2) continue;
-    if (farthest_around(view.depth_mm, x, y) < z_mm - in_front_mm) continue;
-    if (round) {
-      bool stands_out = false;
-      for (const float side : {-kSilhouetteProbe_px, kSilhouetteProbe_px}) {
-        const Eigen::Vector2f probe = at_px + side * normal;
-        const float behind = depth_at(view.depth_mm, cvRound(probe.x()), cvRound(probe.y()));
-        stands_out |= behind == 0.0F || behind > z_mm + kSilhouetteDepth * diameter_mm;
-      }
-      if (!stands_out) continue;
+    // Without branches, which could not be foreseen.
+    const bool hidden = farthest_around(view.depth_mm, x, y) < z_mm - in_front_mm;
+    bool stands_out = !round;
+    for (const float side : {-kSilhouetteProbe_px, kSilhouetteProbe_px}) {
+      const Eigen::Vector2f probe = at_px + side * normal;  // not outside the picture
+      const float there_mm = view.depth_mm.at<float>(cvRound(probe.y()), cvRound(probe.x()));
+      stands_out |= (there_mm == 0.0F) | (there_mm > z_mm + behind_mm);
     }
+    if (hidden | !stands_out) continue;
     drawn_.at<std::uint8_t>(y, x) = 1;
     if (!cells_.claim(at_px.x(), at_px.y())) continue;
     const Eigen::Vector3f place_mm = (weight_from * edge.from_mm + weight_to * edge.to_mm) * z_mm;

@@ -59,6 +59,7 @@ class SampleBlock {
     inside,
     outside,
     shift,
+    shading,
     trust,
     polarity,
     kNumbers
@@ -78,7 +79,10 @@ class SampleBlock {
       // Colours are compared at silhouettes only.
       numbers_[inside][i] = sample.silhouette ? sample.inside_mm : -1.0F;
       numbers_[outside][i] = sample.silhouette ? sample.outside_mm : -1.0F;
-      numbers_[shift][i] = sample.shift_px;
+      // An outline that stands alone is shifted by shading.
+      const bool shaded = sample.silhouette && sample.trust == 1.0F;
+      numbers_[shift][i] = shaded ? 0.0F : sample.shift_px;
+      numbers_[shading][i] = shaded ? sample.shift_px : 0.0F;
       numbers_[trust][i] = sample.trust;
       numbers_[polarity][i] = static_cast<float>(sample.polarity);
     }
@@ -140,6 +144,7 @@ std::size_t ProjectContour(const ProjectionJob& job, const ContourPoints& points
     store(hn::Mul(across_x, inverse_length), points.normal_x);
     store(hn::Mul(across_y, inverse_length), points.normal_y);
     store(samples[SampleBlock::shift], points.shift_px);
+    store(samples[SampleBlock::shading], points.shading_px);
     store(samples[SampleBlock::trust], points.trust);
     store(samples[SampleBlock::polarity], points.polarity);
     store(hn::Mul(samples[SampleBlock::inside], px_per_mm), points.inside_px);

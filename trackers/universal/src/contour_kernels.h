@@ -19,8 +19,9 @@ struct ContourPoints {
   float *camera_x, *camera_y, *camera_z;  ///< millimetres, camera frame
   float *image_x, *image_y;               ///< pixels of the picture
   float *normal_x, *normal_y;             ///< unit, in the image
-  float *shift_px, *trust, *polarity;     ///< see ContourSample
+  float *shift_px, *trust, *polarity;     ///< see ContourSample; without what is shading's
   float *inside_px, *outside_px;          ///< see LineJob
+  float* shading_px;                      ///< see LineJob
 };
 
 /// A camera that looks at an object.

@@ -63,7 +63,8 @@ void ContourMatch::reserve(std::size_t most_points) {
   }
   float* next = rows_.get();
   const auto row = [&] { return std::exchange(next, next + length); };
-  points_ = {row(), row(), row(), row(), row(), row(), row(), row(), row(), row(), row(), row()};
+  points_ = {row(), row(), row(), row(), row(), row(), row(),
+             row(), row(), row(), row(), row(), row()};
   for (std::size_t k = 0; k < LineJob::kCandidates; ++k) {
     candidates_.offset_px[k] = row();
     candidates_.weight[k] = row();
@@ -81,6 +82,7 @@ LineJob ContourMatch::lines(int reach_px, const Appearance* appearance) const {
   job.inside_px = points_.inside_px;
   job.outside_px = points_.outside_px;
   job.polarity = points_.polarity;
+  job.shading_px = points_.shading_px;
   if (appearance && appearance->learned()) job.log_odds = appearance->log_odds();
   return job;
 }

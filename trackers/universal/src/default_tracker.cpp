@@ -34,7 +34,7 @@ constexpr std::uint32_t kNeighbourMotions = 4;
 constexpr double kHardlySeen = 0.3;
 constexpr std::array kBlindSteps = {1.0, 2.0};
 // Of the exact contour, by which rivals are judged; where edges hardly tell them apart, all of it.
-constexpr std::size_t kJudgedPoints = 240;
+constexpr std::size_t kJudgedPoints = 160;
 // By how much a neighbour must be likelier, by views and by the exact contour: else noise decides.
 constexpr double kNeighbourGain = 0.006, kExactGain = 0.01;
 constexpr std::uint32_t kPasses = 3;  // of the search, each twice as wide as the one before

@@ -49,7 +49,9 @@ void FindCandidates(const LineJob& job, const LineCandidates& out) {
     }
     for (std::size_t k = 0; k < LineJob::kCandidates; ++k) {
       const MF there = hn::Gt(best[k], Set(kNone));
-      const VF offset = hn::Sub(lines.Between(place[k]), lines.EncodingShift(place[k]));
+      const Profile::Levels levels = lines.LevelsBeside(place[k]);
+      VF offset = hn::Sub(lines.Between(place[k]), lines.EncodingShift(levels));
+      if (job.shading_px) offset = hn::Sub(offset, lines.ShadingShift(first, levels));
       const VF weight = Profile::Weight(lines.SlopeAt(place[k], 0));
       hn::StoreU(hn::IfThenElseZero(there, offset), f, out.offset_px[k] + first);
       hn::StoreU(hn::IfThenElseZero(there, weight), f, out.weight[k] + first);
@@ -74,7 +76,11 @@ void FindStrongest(const LineJob& job, const LineEdges& out) {
       place = hn::IfThenElse(hn::RebindMask(si, better), hn::Set(si, i), place);
     }
     const MF there = hn::Gt(best, Set(kNone));
-    hn::StoreU(hn::IfThenElseZero(there, lines.Between(place)), f, out.offset_px + first);
+    VF offset = lines.Between(place);
+    if (job.shading_px) {
+      offset = hn::Sub(offset, lines.ShadingShift(first, lines.LevelsBeside(place)));
+    }
+    hn::StoreU(hn::IfThenElseZero(there, offset), f, out.offset_px + first);
     hn::StoreU(hn::IfThenElseZero(there, lines.SlopeAt(place, 0)), f, out.strength + first);
     hn::StoreU(hn::Exp(f, lines.Colours(lines.middle())), f, out.agreement + first);
   }

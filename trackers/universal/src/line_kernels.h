@@ -34,6 +34,10 @@ struct LineJob {
   const float *inside_px, *outside_px;
   /// 1: only edges count whose far side is brighter, -1: darker, 0: all.
   const float* polarity;
+  /// How far shading moves the edge of an outline, along the normal, before a black background. It
+  /// is taken back from where edges are found, by as much of it as contrast allows; null: it moves
+  /// none.
+  const float* shading_px;
   /// Logarithm of the odds that a colour is the object's, as of Appearance, with its padding; null:
   /// no colours are known.
   const std::int8_t* log_odds;
@@ -51,7 +55,7 @@ struct LineCandidates {
 };
 void find_candidates(const LineJob& job, const LineCandidates& candidates);
 
-/// The best edge of each line, located where the slope of grey levels is greatest.
+/// The best edge of each line, located where the slope of grey levels is greatest, but for shading.
 struct LineEdges {
   float* offset_px;
   float* strength;   ///< grey levels a pixel; 0: there is no edge

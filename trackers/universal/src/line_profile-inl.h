@@ -121,21 +121,42 @@ class Profile {
     return hn::Add(whole, offset);
   }
 
-  /// See EncodingBias; by the channel with the most contrast.
-  VF EncodingShift(VI place) const {
-    constexpr F f;
-    VF from = Look(grey_[0], place, -2), to = Look(grey_[0], place, 2);
+  /// Grey levels before and behind an edge, of the channel with the most contrast.
+  struct Levels {
+    VF from, to;
+  };
+  Levels LevelsBeside(VI place) const {
+    Levels levels = {Look(grey_[0], place, -2), Look(grey_[0], place, 2)};
     for (int c = 1; c < job_.channels; ++c) {
       const VF a = Look(grey_[c], place, -2), b = Look(grey_[c], place, 2);
-      const MF clearer = hn::Gt(hn::Abs(hn::Sub(b, a)), hn::Abs(hn::Sub(to, from)));
-      from = hn::IfThenElse(clearer, a, from);
-      to = hn::IfThenElse(clearer, b, to);
+      const MF clearer = hn::Gt(hn::Abs(hn::Sub(b, a)), hn::Abs(hn::Sub(levels.to, levels.from)));
+      levels.from = hn::IfThenElse(clearer, a, levels.from);
+      levels.to = hn::IfThenElse(clearer, b, levels.to);
     }
+    return levels;
+  }
+
+  /// Brightness that fades towards an outline moves the greatest slope of a blurred picture by the
+  /// fading over the step at the outline. Fading is a share of the object's brightness. So is the
+  /// step, but only before a black background: before another it is the difference of both. More
+  /// than before a black one is not believed.
+  VF ShadingShift(std::size_t first, const Levels& levels) const {
+    const VF fading = Take(job_.shading_px + first);
+    const VF step = hn::Sub(levels.from, levels.to);
+    const MF clear = hn::Lt(levels.from, hn::Abs(step));
+    const VF share =
+        hn::IfThenElse(clear, hn::Div(levels.from, step), hn::CopySign(Set(1.0F), step));
+    return hn::Mul(fading, share);
+  }
+
+  /// See EncodingBias.
+  VF EncodingShift(const Levels& levels) const {
+    constexpr F f;
     const EncodingBias& bias = EncodingBias::table();
     const auto level = [&](VF grey) {
       return hn::NearestInt(hn::Max(hn::Zero(f), hn::Min(grey, Set(255.0F))));
     };
-    const VI i = level(from), j = level(to);
+    const VI i = level(levels.from), j = level(levels.to);
     const auto rise = [&](const std::array<float, 256>& table) {
       return hn::Sub(hn::GatherIndex(f, table.data(), j), hn::GatherIndex(f, table.data(), i));
     };

@@ -28,8 +28,8 @@ struct ContourSample {
   /// How far, from the contour, there is nothing but object on the one side and nothing but
   /// background on the other. Of silhouettes; 0 elsewhere.
   float inside_mm = 0, outside_mm = 0;
-  /// Where the edge appears in a blurred picture of the object, counted along the normal in pixels
-  /// of that picture: edges beside it and shading shift it.
+  /// Where the edge appears in a blurred picture of the object before a black background, counted
+  /// along the normal in pixels of that picture: edges beside it and shading shift it.
   float shift_px = 0;
   float trust = 1;  ///< 0..1: of its place
   bool silhouette = false;
