@@ -81,7 +81,6 @@ void add_noise(cv::Mat& image, double sigma, std::uint64_t seed, std::int64_t in
   });
 }
 
-// Lays premultiplied colour over the background.
 /// Of 8-bit grey levels, for cv::LUT.
 const cv::Mat& light_table() {
   static const std::array<float, 256> values = srgb_light_table();
@@ -91,7 +90,7 @@ const cv::Mat& light_table() {
 
 constexpr int kEncodeSteps = 65536;
 
-/// `color` and `background` are linear light, 0..1, `image` is encoded.
+/// Lays premultiplied `color` over `background`, both linear light, 0..1; `image` is encoded.
 void compose(const cv::Mat& color, const cv::Mat& coverage, const cv::Mat& background,
              double brightness, cv::Mat& image) {
   image.create(background.size(), CV_8UC3);

@@ -72,6 +72,26 @@ TEST(PaintingABoxOfOneColour, FindsNothingInsideItsFaces) {
   EXPECT_EQ(inside_faces(two_halves(kBright_bgr, kBright_bgr)).size(), 0U);
 }
 
+TEST(PaintingABoxOfTwoColours, TrustsCreasesLessThanOutlinesAndBordersOfColours) {
+  const RasterModel model(two_halves(kDark_bgr, kBright_bgr), false);
+  ViewPainter painter(model, {.threshold = 40}, Shading{}, test::small_camera());
+  Workers alone(1);
+  int outlines = 0, creases = 0, borders = 0;
+  for (const ContourSample& sample :
+       painter.paint_contour(test::corner_view(), 1000, 0, alone).contour) {
+    if (sample.trust < 0.4F) continue;  // crowded, near corners
+    const bool texture = sample.polarity != 0;
+    outlines += sample.silhouette && sample.trust == 1;
+    borders += texture && !sample.silhouette && sample.trust == 1;
+    if (sample.silhouette || texture) continue;
+    EXPECT_EQ(sample.trust, 0.5F) << sample.object_mm.transpose();
+    ++creases;
+  }
+  EXPECT_GT(outlines, 50);
+  EXPECT_GT(creases, 20);
+  EXPECT_GT(borders, 20);
+}
+
 TEST(ARasterModel, IsPatternedIfItsColoursDiffer) {
   EXPECT_TRUE(RasterModel(two_halves(kDark_bgr, kBright_bgr), false).patterned);
   EXPECT_FALSE(RasterModel(two_halves(kDark_bgr, kDark_bgr), false).patterned);

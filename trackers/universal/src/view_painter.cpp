@@ -25,7 +25,7 @@ constexpr int kShiftReach_px = 2;
 constexpr double kMostShift_px = 0.7;  // of an edge that stands alone
 constexpr float kCrowdedTrust = 0.5F;
 constexpr float kBlindTrust = 0.1F;
-constexpr float kBendTrust = 0.5F;
+constexpr float kInnerTrust = 0.5F;  // where the edge is inside the outline depends on light
 
 /// Reproducible on every platform, which std::shuffle is not.
 template <class Values>
@@ -134,10 +134,8 @@ void ViewPainter::take_samples(std::span<const ContourPoint> points, const Pose&
   find_strongest(lines, {offset_px.data(), strength.data(), agreement.data()});
   for (std::size_t i = 0; i < points.size(); ++i) {
     ContourSample& sample = samples[i];
-    if (points[i].bend) {
-      sample.trust = kBendTrust;
-      continue;
-    }
+    if (!sample.silhouette && !points[i].texture) sample.trust = kInnerTrust;
+    if (points[i].bend) continue;
     const double most_px = points[i].crowded ? kShiftReach_px : kMostShift_px;
     const bool found = strength[i] > 0 && std::abs(offset_px[i]) < most_px;
     if (found) sample.shift_px = offset_px[i];
