@@ -3,6 +3,7 @@
 #include "rasterizer.h"
 
 #include <algorithm>
+#include <atomic>
 #include <cassert>
 #include <cmath>
 
@@ -12,6 +13,7 @@ namespace anneal6d {
 namespace {
 
 constexpr std::size_t kWorthSharing = 3000;  // faces
+constexpr std::size_t kShares = 8;
 
 /// A pixel coordinate as a whole number within a range that no image leaves.
 int whole(float pixels) { return static_cast<int>(std::clamp(pixels, -1e6F, 1e6F)); }
@@ -127,12 +129,14 @@ Region Rasterizer::draw(const Pose& camera_from_object, int margin_px, Workers* 
 
 void Rasterizer::draw_shared(const TriangleJob& job, Workers& workers) {
   other_pixels_.resize(pixels_.size());
-  workers.each(2, 1, [&](std::size_t part) {
-    TriangleJob half = job;
-    half.part = part;
-    half.parts = 2;
-    if (part == 1) half.pixels = other_pixels_.data();
-    draw_triangles(half);
+  // In small shares, since a thread that has other work comes late. What is drawn over what does not
+  // depend on who draws it.
+  std::atomic<std::size_t> next = 0;
+  workers.each(2, 1, [&](std::size_t drawing) {
+    TriangleJob share = job;
+    share.parts = kShares;
+    if (drawing == 1) share.pixels = other_pixels_.data();
+    for (share.part = next++; share.part < kShares; share.part = next++) draw_triangles(share);
   });
 }
 
