@@ -72,7 +72,7 @@ void find_borders(const LineJob& job, float* offset_px, float* variance_px2);
 int count_edges_beside(const LineJob& job, int from_px, int to_px);
 
 /// Samples of a line beyond its reach, on both sides.
-inline constexpr int kLineMargin = 3;
+inline constexpr int kLineMargin = 2;
 /// Samples of a line at most.
 inline constexpr int kLongestLine = 2 * (LineJob::kMaxReach_px + kLineMargin) + 1;
 

@@ -68,7 +68,7 @@ class Refiner {
   Pose approach(const Pose& start_camera_from_object, const Appearance& appearance) const;
 
   /// Points of a contour that polish() looks at, at most.
-  static constexpr std::size_t kMostPolished = 480;
+  static constexpr std::size_t kMostPolished = 360;
 
   /// Goes on from a refined pose with `view`, the contour exactly as at that pose. What the edges
   /// leave open stays as it is; for `feigned_share` see ContourMatch::expect.
