@@ -61,21 +61,26 @@ const std::vector<SurfaceBends::Bend>& SurfaceBends::find(const cv::Mat& depth_m
     for (int x = kBeside_px; x < depth_mm.cols - kBeside_px; ++x) {
       const float here = turn_at(x, y);
       if (here < kLeastTurn) continue;
+      // A ridge falls off on both sides along the axis in which the surface turns faster. Most
+      // places are none along either.
+      const auto falls_off = [&](int dx, int dy) {
+        return (here >= turn_at(x - dx, y - dy)) & (here > turn_at(x + dx, y + dy));
+      };
+      const bool ridge_along_x = falls_off(1, 0), ridge_along_y = falls_off(0, 1);
+      if (!(ridge_along_x | ridge_along_y)) continue;
       const Eigen::Vector3f along_x = normal_at(x + kReach_px, y) - normal_at(x - kReach_px, y);
       const Eigen::Vector3f along_y = normal_at(x, y + kReach_px) - normal_at(x, y - kReach_px);
       const float xx_less_yy = along_x.squaredNorm() - along_y.squaredNorm();
-      // A ridge along the stronger axis, which falls off on both sides, and its place between
-      // pixels.
-      const int sx = xx_less_yy >= 0 ? 1 : 0, sy = 1 - sx;
-      const float before = turn_at(x - sx, y - sy), after = turn_at(x + sx, y + sy);
-      if (here < before || here <= after) continue;
+      if (!(xx_less_yy >= 0 ? ridge_along_x : ridge_along_y)) continue;
       const Eigen::Vector2d across = half_the_angle({xx_less_yy, 2.0F * along_x.dot(along_y)});
       const auto beside = [&](double distance) {
         return turn_at(x + cvRound(distance * across.x()), y + cvRound(distance * across.y()));
       };
       const float left = beside(-kBeside_px), right = beside(kBeside_px);
       if (left == 0 || right == 0 || std::max(left, right) > kBesideShare * here) continue;
-      const double offset = ridge_offset(before, here, after);
+      // Its place between pixels.
+      const int sx = xx_less_yy >= 0 ? 1 : 0, sy = 1 - sx;
+      const double offset = ridge_offset(turn_at(x - sx, y - sy), here, turn_at(x + sx, y + sy));
       bends_.push_back({{x + sx * offset, y + sy * offset}, across});
     }
   }
