@@ -23,7 +23,6 @@ constexpr double kSure = 0.92;  // of the usual support: there is no need to sea
 constexpr double kPoor = 0.85;  // of the usual fit: less is searched once
 // What a second attempt found, by colours, must be confirmed better.
 constexpr double kSecondAttempt = 1.06;
-constexpr double kFitting = 0.94;  // of the usual fit: there is no need to look at all neighbours
 constexpr double kFitRise = 0.3, kFitFall = 0.03;  // of the newest frame in the usual fit
 constexpr double kNeighbour_px = 4.0, kNeighbourShift_px = 3.0;
 constexpr double kNeighbourReach_px = 3.0;
@@ -197,15 +196,14 @@ class DefaultTracker final : public PoseFilterTracker {
 
   /// A better pose near it, if there is one: edges side by side, such as the two of a cup's rim,
   /// make false bottoms. A false bottom stays from frame to frame, so that each frame looks along
-  /// one motion only, unless edges fit less closely than usual. `meanwhile` is called on some
+  /// one motion only, unless there is no exact contour to tell it by. `meanwhile` is called on some
   /// thread.
   std::optional<Refiner::Result> better_neighbour(const Refiner::Result& refined,
                                                   const Appearance& appearance,
                                                   const std::function<void()>& meanwhile) {
-    const bool doubtful = refined.fit < kFitting * usual_fit_;
     std::vector<Pose> starts;
     for (std::uint32_t motion = 0; motion < kNeighbourMotions; ++motion) {
-      if (!doubtful && motion != frame_number_ % kNeighbourMotions) continue;
+      if (exact_ && motion != frame_number_ % kNeighbourMotions) continue;
       for (const Pose& start : beside(refined, motion)) starts.push_back(start);
     }
     std::vector<Refiner::Result> others(starts.size());
