@@ -242,6 +242,30 @@ TEST(UniversalTrackerOfABoxThatIsGoneForAWhile, SaysSoAndFindsItAgain) {
   }
 }
 
+TEST(UniversalTrackerOfABoxThatIsGoneForAWhile, FindsItAgainElsewhere) {
+  constexpr std::size_t kGone = 6, kBack = 14, kFrames = 18;
+  Sequence sequence = interrupted_sequence(kGone, kBack, kBack);
+  const RasterModel model(tracked_box(), false);
+  const Pose elsewhere =
+      test::beside(*tracked_box(), sequence.truth[kGone - 1], {4, -10, 5}, {75, 25, -20});
+  for (std::size_t i = kBack; i < kFrames; ++i) {
+    const int index = static_cast<int>(i);
+    sequence.truth.push_back(elsewhere);
+    sequence.frames.push_back(
+        frame_of(test::photograph(model, test::small_camera(), elsewhere, 40, 1.5, index), index));
+  }
+  for (const char* const seed : {"1", "2", "3", "4"}) {
+    SCOPED_TRACE(seed);
+    const auto tracker = make_tracker({{"seed", seed}});
+    tracker->reset(sequence.truth[0], sequence.frames[0]);
+    TrackResult last;
+    for (const Frame& frame : sequence.frames) last = tracker->track(frame);
+    EXPECT_EQ(last.status, TrackStatus::tracking);
+    EXPECT_LT(center_distance_mm(*tracked_box(), last.camera_from_object, elsewhere), 2);
+    EXPECT_LT(angle_deg(last.camera_from_object, elsewhere), 1);
+  }
+}
+
 INSTANTIATE_TEST_SUITE_P(Mode, UniversalTracking,
                          testing::Values(Mode{"default", "200", "4", 1.0, 1.0, 0.5},
                                          Mode{"thesis", "300", "4", 0.7, 12, 6}),

@@ -36,6 +36,8 @@ constexpr std::array kBlindSteps = {1.0, 2.0};
 constexpr std::size_t kJudgedPoints = 160;
 // By how much a neighbour must be likelier, by views and by the exact contour: else noise decides.
 constexpr double kNeighbourGain = 0.006, kExactGain = 0.01;
+// Of what is expected of a frame's motion, for each frame without the object, so many at most.
+constexpr double kGoneAway = 0.5, kLongestLost = 6;
 constexpr std::uint32_t kPasses = 3;  // of the search, each twice as wide as the one before
 constexpr double kWider = 0.9;        // of what is sure: less lets the search go on, wider
 constexpr double kGain = 0.03;        // in evidence, without which a search was in vain
@@ -52,6 +54,10 @@ constexpr double kRight_mm = 10, kRight_deg = 2;  // what quality is the probabi
 double quality_of(double support_beyond_chance) {
   return 0.92 * std::clamp((support_beyond_chance + 0.05) / 0.28, 0.0, 1.0) +
          0.08 * std::clamp((support_beyond_chance - 0.25) / 0.5, 0.0, 1.0);
+}
+
+double confirmation_of(const Refiner::Result& result, double chance) {
+  return quality_of((result.support - chance) / std::max(1e-6, 1.0 - chance));
 }
 
 /// First the motion model's guess is refined; colours, particles and neighbouring poses may find a
@@ -99,7 +105,9 @@ class DefaultTracker final : public PoseFilterTracker {
 
   void preprocess(const cv::Mat& undistorted) override {
     image_ = undistorted;
-    expected_ = {moved(center_, motion_.drift()), motion_.sigma()};
+    // Where the object was lost sight of, it may go farther away with every frame.
+    const double lost_for = std::min<double>(bad_frames(), kLongestLost);
+    expected_ = {moved(center_, motion_.drift()), (1 + kGoneAway * lost_for) * motion_.sigma()};
     look(undistorted, expected_.camera_from_center, kWindow_px + 3 * deviation_px());
   }
 
@@ -109,12 +117,15 @@ class DefaultTracker final : public PoseFilterTracker {
     const Pose guess = filter_.to_object(expected_.camera_from_center);
     const double reach_px = std::clamp(deviation_px(), kLeastReach_px, kMostReach_px);
     Refiner::Result best = refiner_.refine(guess, guess, reach_px, appearance);
-    if (!confirmed_as_usual(best)) {
+    const bool lost_sight = bad_frames() > 0;
+    if (lost_sight || !confirmed_as_usual(best)) {
       // Too far off for edges; colours lead nearer.
       const Pose nearer = refiner_.approach(guess, appearance);
       const auto other = refiner_.refine(nearer, guess, reach_px, appearance);
       if (likelihood(other) > likelihood(best)) best = other;
-      if (!confirmed_as_usual(best, kSecondAttempt)) best = search_around(best, appearance);
+      if (lost_sight || !confirmed_as_usual(best, kSecondAttempt)) {
+        best = search_around(best, appearance);
+      }
     }
     const auto draw = [&] {
       if (exact_) exact_->draw(best.camera_from_object, workers_);
@@ -123,9 +134,11 @@ class DefaultTracker final : public PoseFilterTracker {
       best = *better;
       draw();
     }
-    usual_fit_ += (best.fit > usual_fit_ ? kFitRise : kFitFall) * (best.fit - usual_fit_);
-    usual_support_ += (best.support > usual_support_ ? kSupportRise : kSupportFall) *
-                      (best.support - usual_support_);
+    if (!lost_sight) {
+      usual_fit_ += (best.fit > usual_fit_ ? kFitRise : kFitFall) * (best.fit - usual_fit_);
+      usual_support_ += (best.support > usual_support_ ? kSupportRise : kSupportFall) *
+                        (best.support - usual_support_);
+    }
     if (exact_) best = polished(best, appearance);
     Pose found = filter_.to_center(best.camera_from_object);
     found.rotation = symmetry_.fold(found.rotation, last.rotation);
@@ -140,7 +153,7 @@ class DefaultTracker final : public PoseFilterTracker {
         seen = refiner_.colours(result.camera_from_object, appearance);
       }
     });
-    confirmation_ = quality_of((best.support - chance) / std::max(1e-6, 1.0 - chance));
+    confirmation_ = confirmation_of(best, chance);
     uncertainty_.update(motion_.seen_sigma(), best.unseen,
                         kEdgeError_px * kEdgeError_px * best.error_px2);
     quality_ = confirmation_ * uncertainty_.probability_within(kRight_mm, kRight_deg * kDegree,
@@ -152,7 +165,7 @@ class DefaultTracker final : public PoseFilterTracker {
       return;
     }
     center_ = found;
-    motion_.observe(last, center_);
+    if (bad_frames() < 2) motion_.observe(last, center_);  // else it took several frames
     if (confirmed) appearance_->learn(seen.object, seen.beside);
   }
 
@@ -178,7 +191,12 @@ class DefaultTracker final : public PoseFilterTracker {
     Refiner::Result best = refined;
     Expectation wider = expected_;
     for (std::uint32_t pass = 0; pass < kPasses; ++pass) {
-      if (pass > 0 && supported_as_usual(best, kWider)) break;
+      // What is usual says nothing of an object that was lost sight of.
+      if (pass > 0 && (bad_frames() > 0 ? confirms(confirmation_of(
+                                              best, refiner_.chance(best.camera_from_object)))
+                                        : supported_as_usual(best, kWider))) {
+        break;
+      }
       const double weight = appearance.learned() ? kRegionWeight : 0.0;
       RandomKey random = key(0);
       random.frame = frame_number_ * kPasses + pass;
@@ -187,7 +205,7 @@ class DefaultTracker final : public PoseFilterTracker {
       if (likelihood(found) > likelihood(best)) best = found;
       wider.sigma *= 2.0;
     }
-    if (likelihood(best) < likelihood(refined) + kGain) {
+    if (bad_frames() == 0 && likelihood(best) < likelihood(refined) + kGain) {
       usual_support_ = std::min(usual_support_, best.support);
       usual_fit_ = std::min(usual_fit_, best.fit);
     }
