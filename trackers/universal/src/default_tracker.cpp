@@ -36,7 +36,7 @@ constexpr std::array kBlindSteps = {1.0, 2.0};
 constexpr std::size_t kJudgedPoints = 160;
 // By how much a neighbour must be likelier, by views and by the exact contour: else noise decides.
 constexpr double kNeighbourGain = 0.006, kExactGain = 0.01;
-// Of what is expected of a frame's motion, for each frame without the object, so many at most.
+// By how much wider an object is searched for with each frame without it, and with how many.
 constexpr double kGoneAway = 0.5, kLongestLost = 6;
 constexpr std::uint32_t kPasses = 3;  // of the search, each twice as wide as the one before
 constexpr double kWider = 0.9;        // of what is sure: less lets the search go on, wider
@@ -182,6 +182,12 @@ class DefaultTracker final : public PoseFilterTracker {
     return supported_as_usual(result, demand) && result.fit >= demand * kPoor * usual_fit_;
   }
 
+  /// Whether a search may end. What is usual says nothing of an object that was lost sight of.
+  bool suffices(const Refiner::Result& result) const {
+    if (bad_frames() == 0) return supported_as_usual(result, kWider);
+    return confirms(confirmation_of(result, refiner_.chance(result.camera_from_object)));
+  }
+
   /// Particles search, wider and wider, for a pose that the image confirms better than the refined
   /// one. Where even they find none, less is usual from now on: something hides the object.
   Refiner::Result search_around(const Refiner::Result& refined, const Appearance& appearance) {
@@ -191,12 +197,7 @@ class DefaultTracker final : public PoseFilterTracker {
     Refiner::Result best = refined;
     Expectation wider = expected_;
     for (std::uint32_t pass = 0; pass < kPasses; ++pass) {
-      // What is usual says nothing of an object that was lost sight of.
-      if (pass > 0 && (bad_frames() > 0 ? confirms(confirmation_of(
-                                              best, refiner_.chance(best.camera_from_object)))
-                                        : supported_as_usual(best, kWider))) {
-        break;
-      }
+      if (pass > 0 && suffices(best)) break;
       const double weight = appearance.learned() ? kRegionWeight : 0.0;
       RandomKey random = key(0);
       random.frame = frame_number_ * kPasses + pass;
