@@ -94,7 +94,8 @@ void ContourExtractor::Cells::clear(const Region& region, double spacing_px) {
 std::uint8_t* ContourExtractor::Cells::at(float x, float y) {
   const int column = static_cast<int>(x * per_px_), row = static_cast<int>(y * per_px_);
   if (column < 0 || row < 0 || column >= columns_ || row >= rows_) return nullptr;
-  return &taken_[static_cast<std::size_t>(row * columns_ + column)];
+  return &taken_[static_cast<std::size_t>(row) * static_cast<std::size_t>(columns_) +
+                 static_cast<std::size_t>(column)];
 }
 
 bool ContourExtractor::Cells::claim(float x, float y) {

@@ -129,8 +129,8 @@ Region Rasterizer::draw(const Pose& camera_from_object, int margin_px, Workers* 
 
 void Rasterizer::draw_shared(const TriangleJob& job, Workers& workers) {
   other_pixels_.resize(pixels_.size());
-  // In small shares, since a thread that has other work comes late. What is drawn over what does not
-  // depend on who draws it.
+  // In small shares, since a thread that has other work comes late. What is drawn over what does
+  // not depend on who draws it.
   std::atomic<std::size_t> next = 0;
   workers.each(2, 1, [&](std::size_t drawing) {
     TriangleJob share = job;

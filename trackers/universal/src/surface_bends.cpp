@@ -64,7 +64,8 @@ const std::vector<SurfaceBends::Bend>& SurfaceBends::find(const cv::Mat& depth_m
       // A ridge falls off on both sides along the axis in which the surface turns faster. Most
       // places are none along either.
       const auto falls_off = [&](int dx, int dy) {
-        return (here >= turn_at(x - dx, y - dy)) & (here > turn_at(x + dx, y + dy));
+        const float before = turn_at(x - dx, y - dy), after = turn_at(x + dx, y + dy);
+        return (here >= before) & (here > after);
       };
       const bool ridge_along_x = falls_off(1, 0), ridge_along_y = falls_off(0, 1);
       if (!(ridge_along_x | ridge_along_y)) continue;
