@@ -65,7 +65,7 @@ class Rasterizer {
   int stride_ = 0;                         // words a row of the drawing
   LineArray<std::uint32_t> pixels_;        // all zero but between draw and consumption
   bool shared_ = false;                    // between both
-  LineArray<std::uint32_t> other_pixels_;  // the same, of the other half of the faces
+  LineArray<std::uint32_t> other_pixels_;  // the same, what another thread drew
   float inv_far_ = 0, depth_scale_ = 1;
 
   std::vector<ImageVertex> vertices_;
