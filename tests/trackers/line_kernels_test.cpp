@@ -190,19 +190,16 @@ float edge_of_faded_object(int background, const float* shading_px) {
     picture.col(x) = 150.0 - 40.0 / std::sqrt(static_cast<double>(kOutside - x));
   }
   cv::GaussianBlur(picture, picture, {5, 5}, kEdgeBlur_px, kEdgeBlur_px);
-  using Row = std::array<float, 1 + LineJob::kPadding>;
-  const Row x{kOutside - 0.5F}, y{8}, along_x{1}, along_y{0}, inside{8}, outside{8}, polarity{0};
-  LineJob job = lines_through(picture, 3);
-  job.count = 1;
-  job.x = x.data();
-  job.y = y.data();
-  job.normal_x = along_x.data();
-  job.normal_y = along_y.data();
-  job.inside_px = inside.data();
-  job.outside_px = outside.data();
-  job.polarity = polarity.data();
+  Lines lines;
+  lines.x[0] = kOutside - 0.5F;
+  lines.y[0] = 8;
+  lines.normal_x[0] = 1;
+  lines.normal_y[0] = 0;
+  lines.inside_px[0] = lines.outside_px[0] = 8;
+  lines.polarity[0] = 0;
+  LineJob job = lines.job(picture, 3, 0);
   job.shading_px = shading_px;
-  Row offset{}, strength{}, agreement{};
+  Lines::Row offset{}, strength{}, agreement{};
   find_strongest(job, {offset.data(), strength.data(), agreement.data()});
   EXPECT_GT(strength[0], 0) << "no edge before " << background;
   return offset[0];

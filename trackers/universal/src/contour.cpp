@@ -11,6 +11,7 @@
 #include <opencv2/imgproc.hpp>
 
 #include "anneal6d/framework/shading.h"
+#include "mesh_sides.h"
 #include "ridge.h"
 #include "ridge_kernels.h"
 
@@ -66,12 +67,10 @@ ContourExtractor::ContourExtractor(const TriangleMesh& mesh)
   const auto triangles = mesh.triangles();
   planes_.resize(static_cast<Eigen::Index>(triangles.size()), 4);
   for (Eigen::Index i = 0; i < planes_.rows(); ++i) {
-    const Triangle& t = triangles[static_cast<std::size_t>(i)];
-    const auto at = [&](int corner) -> Eigen::Vector3d {
-      return mesh.vertices()[t[corner]].position_mm.cast<double>();
-    };
-    const Eigen::Vector3d normal = (at(1) - at(0)).cross(at(2) - at(0)).normalized();
-    planes_.row(i) << normal.transpose().cast<float>(), static_cast<float>(-normal.dot(at(0)));
+    const Triangle& triangle = triangles[static_cast<std::size_t>(i)];
+    const Eigen::Vector3d normal = normal_of(mesh, triangle);
+    const Eigen::Vector3d on_it_mm = mesh.vertices()[triangle[0]].position_mm.cast<double>();
+    planes_.row(i) << normal.transpose().cast<float>(), static_cast<float>(-normal.dot(on_it_mm));
   }
   const auto count = static_cast<std::uint32_t>(triangles.size());
   sides_.assign(2 * triangles.size() + 1, kEitherSide);

@@ -159,7 +159,7 @@ class DefaultTracker final : public PoseFilterTracker {
     quality_ = confirmation_ * uncertainty_.probability_within(kRight_mm, kRight_deg * kDegree,
                                                                found.rotation * symmetry_.axis);
     const bool confirmed = confirms(confirmation_);
-    if (!confirmed && bad_frames() > 0) {
+    if (!confirmed && lost_sight) {
       // Go on searching around the pose of the first bad frame.
       motion_.reset();
       return;

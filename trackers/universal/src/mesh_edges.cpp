@@ -8,7 +8,10 @@
 #include <map>
 #include <numbers>
 #include <numeric>
+#include <span>
 #include <utility>
+
+#include "mesh_sides.h"
 
 namespace anneal6d {
 namespace {
@@ -67,36 +70,23 @@ std::vector<double> line_lengths_mm(const std::vector<SharpEdge>& sharp,
 }  // namespace
 
 std::vector<MeshEdge> mesh_edges(const TriangleMesh& mesh) {
-  struct Side {
-    std::uint32_t triangle;
-    bool forward;  // the triangle runs through the edge from the lower to the higher vertex
-  };
-  const auto welded = mesh.welded();
   const auto position = [&](std::uint32_t i) -> const Eigen::Vector3f& {
     return mesh.vertices()[i].position_mm;
   };
-  const auto exact = [&](std::uint32_t i) -> Eigen::Vector3d { return position(i).cast<double>(); };
-  std::map<Ends, std::vector<Side>> sides;
   std::vector<Eigen::Vector3d> normals;
-  for (const Triangle& t : mesh.triangles()) {
-    const auto index = static_cast<std::uint32_t>(normals.size());
-    normals.push_back((exact(t[1]) - exact(t[0])).cross(exact(t[2]) - exact(t[0])).normalized());
-    for (int c = 0; c < 3; ++c) {
-      const std::uint32_t from = welded[t[c]], to = welded[t[(c + 1) % 3]];
-      sides[std::minmax(from, to)].push_back({index, from < to});
-    }
-  }
+  for (const Triangle& triangle : mesh.triangles()) normals.push_back(normal_of(mesh, triangle));
   std::vector<MeshEdge> edges;
   std::vector<SharpEdge> sharp;
-  for (const auto& [ends, faces] : sides) {
+  for_each_edge(sides_of(mesh), [&](std::span<const MeshSide> sides) {
+    const Ends& ends = sides.front().ends;
     MeshEdge edge;
     edge.from_mm = position(ends.first);
     edge.to_mm = position(ends.second);
-    edge.border = faces.size() != 2;
-    edge.triangle_a = faces.front().triangle;
-    edge.triangle_b = edge.border ? edge.triangle_a : faces[1].triangle;
+    edge.border = sides.size() != 2;
+    edge.triangle_a = sides.front().triangle;
+    edge.triangle_b = edge.border ? edge.triangle_a : sides[1].triangle;
     // Triangles wound alike run through their edge in opposite directions.
-    edge.turned = !edge.border && faces[0].forward == faces[1].forward;
+    edge.turned = !edge.border && sides[0].forward == sides[1].forward;
     const Eigen::Vector3d& normal_a = normals[edge.triangle_a];
     const Eigen::Vector3d normal_b = (edge.turned ? -1.0 : 1.0) * normals[edge.triangle_b];
     edge.normal_a = normal_a.cast<float>();
@@ -104,10 +94,10 @@ std::vector<MeshEdge> mesh_edges(const TriangleMesh& mesh) {
     const double cosine = normal_a.dot(normal_b);
     edge.smooth = !edge.border && cosine > kSmoothCosine;
     // Edges inside a flat face can never be seen.
-    if (!edge.border && cosine > 1.0 - 1e-9) continue;
+    if (!edge.border && cosine > 1.0 - 1e-9) return;
     if (!edge.border && cosine < kSharpCosine) sharp.push_back({edges.size(), ends});
     edges.push_back(edge);
-  }
+  });
   const std::vector<double> line_mm = line_lengths_mm(sharp, edges);
   for (std::size_t i = 0; i < sharp.size(); ++i) {
     MeshEdge& edge = edges[sharp[i].index];

@@ -7,7 +7,8 @@
 #include <numeric>
 #include <opencv2/imgproc.hpp>
 #include <span>
-#include <tuple>
+
+#include "mesh_sides.h"
 
 namespace anneal6d {
 namespace {
@@ -32,31 +33,6 @@ QuadTexture quads_of(const cv::Mat& bgr, const Eigen::Vector3f& albedo_bgr) {
   return texture;
 }
 
-/// A triangle at an edge between two welded vertices.
-struct Side {
-  std::uint64_t edge;  ///< the lower vertex, then the other
-  std::uint32_t triangle;
-  int direction;  ///< in which the triangle runs through the edge: 1 from its lower vertex, else -1
-};
-
-/// By edges.
-std::vector<Side> sides_of(const TriangleMesh& mesh) {
-  const auto welded = mesh.welded();
-  const auto triangles = mesh.triangles();
-  std::vector<Side> sides;
-  sides.reserve(3 * triangles.size());
-  for (std::uint32_t t = 0; t < triangles.size(); ++t) {
-    for (std::size_t c = 0; c < 3; ++c) {
-      const std::uint64_t from = welded[triangles[t][c]], to = welded[triangles[t][(c + 1) % 3]];
-      sides.push_back({std::min(from, to) << 32 | std::max(from, to), t, from < to ? 1 : -1});
-    }
-  }
-  std::sort(sides.begin(), sides.end(), [](const Side& a, const Side& b) {
-    return std::tie(a.edge, a.triangle) < std::tie(b.edge, b.triangle);
-  });
-  return sides;
-}
-
 /// Of each triangle: 1 if it is wound outward, -1 if inward, 0 if its surface is open. A surface is
 /// what hangs together by edges of two triangles; it is closed if it runs through every edge as
 /// often in one direction as in the other, also through those where scans are pinched, so that four
@@ -69,24 +45,17 @@ std::vector<int> windings_of(const TriangleMesh& mesh) {
     while (joined[t] != t) t = joined[t] = joined[joined[t]];
     return t;
   };
-  const std::vector<Side> sides = sides_of(mesh);
-  const auto for_each_edge = [&](const auto& look_at) {
-    for (auto first = sides.begin(); first != sides.end();) {
-      const auto end = std::find_if(first, sides.end(),
-                                    [&](const Side& side) { return side.edge != first->edge; });
-      look_at(std::span(first, end));
-      first = end;
-    }
-  };
-  for_each_edge([&](std::span<const Side> edge) {
+  const std::vector<MeshSide> sides = sides_of(mesh);
+  for_each_edge(sides, [&](std::span<const MeshSide> edge) {
     if (edge.size() == 2) joined[surface_of(edge[0].triangle)] = surface_of(edge[1].triangle);
   });
   std::vector<std::uint32_t> open_at;
-  for_each_edge([&](std::span<const Side> edge) {
-    for (const Side& one : edge) {
+  for_each_edge(sides, [&](std::span<const MeshSide> edge) {
+    for (const MeshSide& one : edge) {
       int balance = 0;
-      for (const Side& other : edge) {
-        if (surface_of(other.triangle) == surface_of(one.triangle)) balance += other.direction;
+      for (const MeshSide& other : edge) {
+        if (surface_of(other.triangle) != surface_of(one.triangle)) continue;
+        balance += other.forward ? 1 : -1;
       }
       if (balance != 0) open_at.push_back(one.triangle);
     }
