@@ -51,7 +51,7 @@ cv::Mat stripes(const std::vector<Stripe>& stripes, bool colour = true) {
   }
   if (!colour) cv::extractChannel(image, image, 0);
   cv::Mat smooth;
-  cv::GaussianBlur(image, smooth, {5, 5}, kEdgeBlur_px, kEdgeBlur_px, cv::BORDER_REPLICATE);
+  cv::GaussianBlur(image, smooth, {5, 5}, 1.0, 1.0, cv::BORDER_REPLICATE);
   return smooth;
 }
 

@@ -92,6 +92,25 @@ TEST(PaintingABoxOfTwoColours, TrustsCreasesLessThanOutlinesAndBordersOfColours)
   EXPECT_GT(borders, 20);
 }
 
+// Each visible face of a box is of one brightness, so that nothing but the steps of its pixels, a
+// fifth of a pixel and more, moves the outline in a drawing.
+TEST(PaintingAnEvenlyShadedBox, DoesNotShiftItsOutline) {
+  const RasterModel model(test::make_box(kLength_mm, kWidth_mm, kHeight_mm), false);
+  ViewPainter painter(model, {.threshold = 40}, Shading{}, test::small_camera());
+  Workers alone(1);
+  int outlines = 0;
+  for (const ContourSample& sample :
+       painter.paint_contour(test::corner_view(), 1000, 0, alone).contour) {
+    if (!sample.silhouette || sample.trust != 1) continue;
+    const Eigen::Array3f to_faces_mm =
+        Eigen::Array3f(kLength_mm, kWidth_mm, kHeight_mm) / 2 - sample.object_mm.array().abs();
+    if (to_faces_mm.maxCoeff() < 10) continue;  // another face is near
+    EXPECT_NEAR(sample.shift_px, 0, 0.02) << sample.object_mm.transpose();
+    ++outlines;
+  }
+  EXPECT_GT(outlines, 50);
+}
+
 TEST(ARasterModel, IsPatternedIfItsColoursDiffer) {
   EXPECT_TRUE(RasterModel(two_halves(kDark_bgr, kBright_bgr), false).patterned);
   EXPECT_FALSE(RasterModel(two_halves(kDark_bgr, kDark_bgr), false).patterned);

@@ -37,8 +37,9 @@ constexpr std::size_t kSide = kLongestVector;  // from sample to sample of one l
 constexpr float kFaintest = 2.5F;              // grey levels a pixel: weaker slopes are no edge
 constexpr float kHalfWeight = 4.0F;            // the slope that counts half
 constexpr float kPixelWeight = 0.5F;           // pixels beside each other show the same
-constexpr float kNear = 0.6F;    // of the reach: what is farther away is expected less
-constexpr float kNone = -1e30F;  // logarithm of the score of what is no edge
+constexpr float kNear = 0.6F;         // of the reach: what is farther away is expected less
+constexpr float kMostShading = 2.0F;  // of the shift by shading before black
+constexpr float kNone = -1e30F;       // logarithm of the score of what is no edge
 
 VF Set(float value) { return hn::Set(F(), value); }
 VF Square(VF x) { return hn::Mul(x, x); }
@@ -138,14 +139,14 @@ class Profile {
 
   /// Brightness that fades towards an outline moves the greatest slope of a blurred picture by the
   /// fading over the step at the outline. Fading is a share of the object's brightness. So is the
-  /// step, but only before a black background: before another it is the difference of both. More
-  /// than before a black one is not believed.
+  /// step, but only before a black background: before another it is the difference of both. Where
+  /// there is little of it, no more than kMostShading is believed.
   VF ShadingShift(std::size_t first, const Levels& levels) const {
     const VF fading = Take(job_.shading_px + first);
     const VF step = hn::Sub(levels.from, levels.to);
-    const MF clear = hn::Lt(levels.from, hn::Abs(step));
-    const VF share =
-        hn::IfThenElse(clear, hn::Div(levels.from, step), hn::CopySign(Set(1.0F), step));
+    const VF most = Set(kMostShading);
+    const MF clear = hn::Lt(levels.from, hn::Mul(most, hn::Abs(step)));
+    const VF share = hn::IfThenElse(clear, hn::Div(levels.from, step), hn::CopySign(most, step));
     return hn::Mul(fading, share);
   }
 

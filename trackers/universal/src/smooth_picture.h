@@ -10,10 +10,8 @@
 
 namespace anneal6d {
 
-/// Blur of the pictures in which edges are located, sigma of the Gaussian.
-inline constexpr double kEdgeBlur_px = 1.0;
-
-/// A blurred picture, CV_8UC1 or CV_8UC3, and where its first pixel lies in the image.
+/// A picture that blur_rows() blurred, CV_8UC1 or CV_8UC3, and where its first pixel lies in the
+/// image.
 struct SmoothPicture {
   const cv::Mat& smooth;
   cv::Point origin;

@@ -11,7 +11,7 @@
 namespace anneal6d {
 namespace {
 
-constexpr std::uint32_t kMagic = 0x64763941;  // "A9vd", lowest byte first
+constexpr std::uint32_t kMagic = 0x65763941;  // "A9ve", lowest byte first
 constexpr std::size_t kMostPoints = 4096;     // of a view; more is damage
 constexpr double kSpan = 1.25;                // of the radius: where points can lie
 constexpr double kUnit = 32767.0;

@@ -29,7 +29,8 @@ struct ContourSample {
   /// background on the other. Of silhouettes; 0 elsewhere.
   float inside_mm = 0, outside_mm = 0;
   /// Where the edge appears in a blurred picture of the object before a black background, counted
-  /// along the normal in pixels of that picture: edges beside it and shading shift it.
+  /// along the normal in pixels of that picture: edges beside it and shading shift it. Of
+  /// silhouettes with none beside it: what shading does alone, without the steps of the pixels.
   float shift_px = 0;
   float trust = 1;  ///< 0..1: of its place
   bool silhouette = false;

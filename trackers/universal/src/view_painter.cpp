@@ -6,9 +6,10 @@
 #include <array>
 #include <cmath>
 #include <limits>
-#include <opencv2/imgproc.hpp>
+#include <opencv2/core.hpp>
 #include <random>
 
+#include "blur_kernels.h"
 #include "smooth_picture.h"
 
 namespace anneal6d {
@@ -32,6 +33,11 @@ template <class Values>
 void shuffle(Values& values, std::uint32_t seed) {
   std::mt19937 random(seed);
   for (std::size_t i = values.size(); i > 1; --i) std::swap(values[i - 1], values[random() % i]);
+}
+
+void blur(const cv::Mat& picture, cv::Mat& smooth) {
+  smooth.create(picture.size(), picture.type());
+  blur_rows(picture, cv::Rect({}, picture.size()), 0, picture.rows, smooth);
 }
 
 }  // namespace
@@ -92,8 +98,9 @@ ModelView ViewPainter::paint_contour(const Pose& camera_from_object, std::size_t
       extractor_.extract({camera_from_object, camera_, region_, grey_, depth_mm_}, kSpacing_px,
                          model_.patterned, workers, points_);
     } else {
-      cv::GaussianBlur(grey_, smooth_grey_, {5, 5}, kEdgeBlur_px, kEdgeBlur_px,
-                       cv::BORDER_REPLICATE);
+      blur(grey_, smooth_grey_);
+      cv::compare(depth_mm_, 0, flat_, cv::CMP_GT);
+      blur(flat_, smooth_flat_);
     }
   });
   shuffle(points_, seed);
@@ -112,7 +119,7 @@ ModelView ViewPainter::paint_contour(const Pose& camera_from_object, std::size_t
 void ViewPainter::take_samples(std::span<const ContourPoint> points, const Pose& camera_from_object,
                                std::span<ContourSample> samples) const {
   using Row = std::array<float, kSamplesPerTask + LineJob::kPadding>;
-  Row x{}, y{}, normal_x{}, normal_y{}, offset_px, strength, agreement;
+  Row x{}, y{}, normal_x{}, normal_y{};
   const Row any_polarity{};
   for (std::size_t i = 0; i < points.size(); ++i) {
     const Eigen::Vector3d camera_mm = camera_from_object * points[i].object_mm;
@@ -124,22 +131,32 @@ void ViewPainter::take_samples(std::span<const ContourPoint> points, const Pose&
     normal_x[i] = static_cast<float>(normal.x());
     normal_y[i] = static_cast<float>(normal.y());
   }
-  LineJob lines = lines_through(smooth_grey_, kShiftReach_px);
-  lines.count = points.size();
-  lines.x = x.data();
-  lines.y = y.data();
-  lines.normal_x = normal_x.data();
-  lines.normal_y = normal_y.data();
-  lines.polarity = any_polarity.data();
-  find_strongest(lines, {offset_px.data(), strength.data(), agreement.data()});
+  struct Edges {
+    Row offset_px, strength, agreement;
+  } shaded, flat;
+  const auto find = [&](const cv::Mat& picture, Edges& edges) {
+    LineJob lines = lines_through(picture, kShiftReach_px);
+    lines.count = points.size();
+    lines.x = x.data();
+    lines.y = y.data();
+    lines.normal_x = normal_x.data();
+    lines.normal_y = normal_y.data();
+    lines.polarity = any_polarity.data();
+    find_strongest(lines, {edges.offset_px.data(), edges.strength.data(), edges.agreement.data()});
+  };
+  find(smooth_grey_, shaded);
+  find(smooth_flat_, flat);
   for (std::size_t i = 0; i < points.size(); ++i) {
     ContourSample& sample = samples[i];
     if (!sample.silhouette && !points[i].texture) sample.trust = kInnerTrust;
     if (points[i].bend) continue;
-    const double most_px = points[i].crowded ? kShiftReach_px : kMostShift_px;
-    const bool found = strength[i] > 0 && std::abs(offset_px[i]) < most_px;
-    if (found) sample.shift_px = offset_px[i];
-    if (points[i].crowded) sample.trust = found ? kCrowdedTrust : kBlindTrust;
+    const bool crowded = points[i].crowded;
+    const double most_px = crowded ? kShiftReach_px : kMostShift_px;
+    const bool found = shaded.strength[i] > 0 && std::abs(shaded.offset_px[i]) < most_px;
+    if (found) sample.shift_px = shaded.offset_px[i];
+    // If the object were of one brightness, there would be the steps of its outline's pixels.
+    if (found && sample.silhouette && !crowded) sample.shift_px -= flat.offset_px[i];
+    if (crowded) sample.trust = found ? kCrowdedTrust : kBlindTrust;
   }
 }
 

@@ -50,6 +50,7 @@ class ViewPainter {
   ContourExtractor extractor_;
   Region region_;
   cv::Mat grey_, depth_mm_, smooth_grey_;
+  cv::Mat flat_, smooth_flat_;  ///< the object in one brightness, without shading
   std::vector<ContourPoint> points_;
 };
 
