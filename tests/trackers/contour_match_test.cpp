@@ -109,6 +109,34 @@ TEST(ErrorsOfACylindersEdges, DoNotTurnItAboutItsAxisWhichTheyDoNotShow) {
   EXPECT_LT(axis().dot(turn * axis()), 0.1 * turn.trace());
 }
 
+TEST(EdgesOfAMovedCylinder, MoveAcrossThemselvesAsItsPointsDo) {
+  const RasterModel model(test::make_cylinder(110, 30, 64), false);
+  const CameraModel camera = test::small_camera();
+  const ViewModel views = test::views_near(model, oblique());
+  const cv::Mat image = test::photograph(model, camera, oblique(), 20, 1.0);
+  ContourMatch match({image, {}}, camera, views.center_mm());
+  ASSERT_GT(match.project(oblique(), views.seen_from(oblique()), 200), 50U);
+  Twist motion;
+  motion << 0.004, -0.006, 0.01, 0.5, 0.8, -1.0;
+  const std::vector<MovedEdge> edges = match.moved_edges(motion, Appearance(1));
+  const Pose before{Eigen::Quaterniond::Identity(), oblique() * views.center_mm()};
+  const Pose after = moved(before, motion);
+  const ContourPoints& points = match.points();
+  std::size_t outlines = 0;
+  for (std::size_t i = 0; i < match.size(); ++i) {
+    const Eigen::Vector3d at(points.camera_x[i], points.camera_y[i], points.camera_z[i]);
+    const Eigen::Vector3d then = after * (before.inverse() * at);
+    const Eigen::Vector2d way_px = camera.project(then) - camera.project(at);
+    const double across_px = way_px.dot(Eigen::Vector2d(points.normal_x[i], points.normal_y[i]));
+    if (points.inside_px[i] < 0 || points.trust[i] < 1) continue;
+    ASSERT_LT(outlines, edges.size());
+    EXPECT_NEAR(edges[outlines].moved_px, std::abs(across_px), 0.03) << at.transpose();
+    EXPECT_GT(edges[outlines++].sharpness, 0);
+  }
+  EXPECT_EQ(outlines, edges.size());
+  EXPECT_GT(outlines, 20U);
+}
+
 // As where the object is outside the image.
 TEST(AMatchWithoutASingleStep, LeavesEverythingOpen) {
   const cv::Mat nothing;

@@ -10,8 +10,10 @@
 #include <cstdint>
 #include <opencv2/core.hpp>
 #include <opencv2/imgproc.hpp>
+#include <utility>
 #include <vector>
 
+#include "anneal6d/framework/srgb.h"
 #include "appearance.h"
 #include "instruction_sets.h"
 #include "smooth_picture.h"
@@ -139,10 +141,11 @@ TEST_P(SampledLines, ShowTheSameEdgesOnEveryInstructionSetAlone) {
   using Row = Lines::Row;
   struct Rows {
     std::array<Row, 9> candidates{};
-    std::array<Row, 5> others{};
+    std::array<Row, 6> others{};
   };
   const auto ask = [&](LineJob job) {
     job.log_odds = appearance.log_odds();
+    job.blur_px = job.outside_px;
     Rows rows;
     LineCandidates candidates;
     for (std::size_t k = 0; k < LineJob::kCandidates; ++k) {
@@ -151,7 +154,8 @@ TEST_P(SampledLines, ShowTheSameEdgesOnEveryInstructionSetAlone) {
       candidates.log_score[k] = rows.candidates[3 * k + 2].data();
     }
     find_candidates(job, candidates);
-    find_strongest(job, {rows.others[0].data(), rows.others[1].data(), rows.others[2].data()});
+    find_strongest(job, {rows.others[0].data(), rows.others[1].data(), rows.others[2].data(),
+                         rows.others[5].data()});
     find_borders(job, rows.others[3].data(), rows.others[4].data());
     return rows;
   };
@@ -215,6 +219,90 @@ TEST(EdgesOfAShadedObject, AreNearerToWhereItEndsBeforeAnyBackground) {
     const float told_px = edge_of_faded_object(background, shading_px.data());
     EXPECT_LT(std::abs(told_px), 0.6F * std::abs(found_px)) << background;
   }
+}
+
+/// A step from one level to another, whose light is gathered while it moves by `blur_px`.
+class MovingStep {
+ public:
+  MovingStep(int from, int to, float blur_px) : blur_px_{blur_px} {
+    const auto& light = srgb_light_table();
+    cv::Mat row(1, kWidth, CV_8UC1);
+    for (int x = 0; x < kWidth; ++x) {
+      double sum = 0;
+      for (int i = 0; i < kParts * kParts; ++i) {
+        const double in_pixel = (i % kParts + 0.5) / kParts - 0.5;
+        const double moved_px = blur_px * ((i / kParts + 0.5) / kParts - 0.5);
+        const bool before = x + in_pixel < kStep + moved_px;
+        sum += light[static_cast<std::size_t>(before ? from : to)];
+      }
+      const double encoded = 1.055 * std::pow(sum / (kParts * kParts), 1 / 2.4) - 0.055;
+      row.at<std::uint8_t>(0, x) = cv::saturate_cast<std::uint8_t>(255 * encoded);
+    }
+    cv::repeat(row, 16, 1, picture_);
+    cv::GaussianBlur(picture_, picture_, {5, 5}, 1.0, 1.0);
+    lines_.x[0] = kStep;
+    lines_.y[0] = 8;
+    lines_.normal_x[0] = 1;
+    lines_.normal_y[0] = lines_.polarity[0] = 0;
+    lines_.inside_px[0] = -1;
+  }
+
+  /// Where it is found, in pixels behind the middle of its way.
+  float found_px(bool told_of_blur) const {
+    Lines::Row rows[3][LineJob::kCandidates];
+    LineCandidates candidates;
+    for (std::size_t k = 0; k < LineJob::kCandidates; ++k) {
+      candidates.offset_px[k] = rows[0][k].data();
+      candidates.weight[k] = rows[1][k].data();
+      candidates.log_score[k] = rows[2][k].data();
+    }
+    LineJob job = lines_.job(picture_, 4, 0);
+    if (told_of_blur) job.blur_px = blur_px_.data();
+    find_candidates(job, candidates);
+    EXPECT_GT(rows[1][0][0], 0) << "no edge";
+    return rows[0][0][0];
+  }
+
+  float sharpness() const {
+    Lines::Row offset, strength, agreement, sharpness;
+    find_strongest(lines_.job(picture_, 4, 0),
+                   {offset.data(), strength.data(), agreement.data(), sharpness.data()});
+    return sharpness[0];
+  }
+
+ private:
+  static constexpr int kWidth = 48, kParts = 24;
+  static constexpr float kStep = 23.5F;
+
+  std::array<float, 1 + LineJob::kPadding> blur_px_;
+  cv::Mat picture_;
+  Lines lines_;
+};
+
+TEST(EdgesBlurredByMotion, AreFoundInTheMiddleOfTheirWay) {
+  for (const float blur_px : {1.5F, 2.0F, 3.0F, 4.0F}) {
+    for (const auto& [from, to] : {std::pair(230, 40), std::pair(60, 200)}) {
+      const MovingStep step(from, to, blur_px);
+      SCOPED_TRACE(testing::Message() << blur_px << " px from " << from << " to " << to);
+      const float untold_px = step.found_px(false);
+      EXPECT_GT(from > to ? untold_px : -untold_px, 0.08F) << "bright objects look large";
+      EXPECT_LT(std::abs(step.found_px(true)), 0.5F * std::abs(untold_px));
+    }
+  }
+}
+
+TEST(EdgesBlurredByMotion, AreTheLessSharpTheFartherTheyMove) {
+  float last = 1;
+  for (const float blur_px : {0.0F, 1.0F, 2.0F, 3.0F, 4.0F}) {
+    const float sharpness = MovingStep(200, 80, blur_px).sharpness();
+    EXPECT_LT(sharpness, last) << blur_px;
+    EXPECT_GT(sharpness, 0) << blur_px;
+    last = sharpness;
+  }
+  // A ramp of 4 pixels adds as much variance, and its flat top looks a little wider yet.
+  const double added = 1 / (2 * last) - 1 / (2 * MovingStep(200, 80, 0).sharpness());
+  EXPECT_NEAR(added / (4 * 4 / 12.0), 1.15, 0.15);
+  EXPECT_EQ(MovingStep(106, 100, 0).sharpness(), 0) << "too faint to tell";
 }
 
 }  // namespace

@@ -4,6 +4,11 @@
 
 #include <gtest/gtest.h>
 
+#include <algorithm>
+#include <cmath>
+#include <opencv2/core.hpp>
+
+#include "anneal6d/framework/srgb.h"
 #include "synthetic.h"
 #include "view_painter.h"
 #include "workers.h"
@@ -254,7 +259,7 @@ Polished polish_beside(const Object& object, const Pose& truth, const Pose& star
   Workers alone(1);
   const Refiner::Result before{.camera_from_object = start, .support = 0.5};
   return {before, refiner.polish(before, painter.paint_contour(start, 1000, 0, alone), kFeigned,
-                                 Appearance(1))};
+                                 Twist::Zero(), Appearance(1))};
 }
 
 TEST(PolishingAfterRefining, EndsWithinHundredthsOfAMillimetre) {
@@ -283,6 +288,50 @@ TEST(PolishingAfterRefining, ReportsWhichMotionsTheExactContourShows) {
   EXPECT_LT(polish_beside(box(), truth, truth).after.unseen.norm(), 0.5);
 }
 
+/// What a camera sees of a box that moves so while the shutter is open, about `middle`.
+cv::Mat blurred_photograph(const Pose& middle, const Eigen::Vector3d& way_mm) {
+  constexpr int kMoments = 9;
+  cv::Mat light;
+  for (int i = 0; i < kMoments; ++i) {
+    Pose pose = middle;
+    pose.translation_mm += ((i + 0.5) / kMoments - 0.5) * way_mm;
+    cv::Mat moment = test::photograph(box().model, camera(), pose, 20);
+    cv::Mat table(1, 256, CV_32F);
+    std::copy_n(srgb_light_table().begin(), 256, table.begin<float>());
+    cv::LUT(moment, table, moment);
+    if (light.empty()) light = cv::Mat::zeros(moment.size(), CV_32F);
+    light += moment / kMoments;
+  }
+  cv::pow(light, 1 / 2.4, light);
+  cv::Mat image;
+  light.convertTo(image, CV_8U, 255 * 1.055, -255 * 0.055);
+  return image;
+}
+
+TEST(PolishingAfterRefining, AllowsForTheBlurOfMotion) {
+  const Pose truth = corner_view();
+  const Eigen::Vector3d way_mm(2.5, 1.5, 0);  // four pixels
+  const cv::Mat image = blurred_photograph(truth, way_mm);
+  Refiner refiner(box().views, camera(), test::workers());
+  refiner.set_image(image, whole(image));
+  ViewPainter painter(box().model, {.threshold = 40}, Shading{}, camera());
+  Workers alone(1);
+  const ModelView contour = painter.paint_contour(truth, 1000, 0, alone);
+  const auto depth_error_mm = [&](const Twist& blur) {
+    const Refiner::Result start{.camera_from_object = truth};
+    const Pose pose =
+        refiner.polish(start, contour, kFeigned, blur, Appearance(1)).camera_from_object;
+    return (pose * box().mesh->center_mm().cast<double>() -
+            truth * box().mesh->center_mm().cast<double>())
+        .z();
+  };
+  Twist blur = Twist::Zero();
+  blur.tail<3>() = way_mm;
+  const double untold_mm = depth_error_mm(Twist::Zero());
+  EXPECT_LT(untold_mm, -0.3) << "what is bright looks large and near";
+  EXPECT_LT(std::abs(depth_error_mm(blur)), 0.5 * std::abs(untold_mm));
+}
+
 TEST(PolishingAfterRefining, ChangesNothingWithoutAnImage) {
   const Refiner refiner(box().views, camera(), test::workers());
   ViewPainter painter(box().model, {.threshold = 40}, Shading{}, camera());
@@ -290,7 +339,7 @@ TEST(PolishingAfterRefining, ChangesNothingWithoutAnImage) {
   const Refiner::Result before{.camera_from_object = corner_view(), .support = 0.5};
   const Refiner::Result after =
       refiner.polish(before, painter.paint_contour(before.camera_from_object, 1000, 0, alone),
-                     kFeigned, Appearance(1));
+                     kFeigned, Twist::Zero(), Appearance(1));
   EXPECT_EQ(after.camera_from_object.translation_mm, before.camera_from_object.translation_mm);
   EXPECT_EQ(after.unseen, before.unseen);
 }

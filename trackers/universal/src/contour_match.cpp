@@ -32,6 +32,7 @@ std::size_t ContourMatch::project(const Pose& camera_from_object, const ModelVie
   reserve(samples.size());
   start_ = {camera_from_object.rotation, camera_from_object * center_mm_};
   motion_.setZero();
+  blurred_ = false;
 
   ProjectionJob job{.samples = samples,
                     .rotation = {},
@@ -55,7 +56,8 @@ std::size_t ContourMatch::project(const Pose& camera_from_object, const ModelVie
 }
 
 void ContourMatch::reserve(std::size_t most_points) {
-  constexpr std::size_t kRows = (sizeof(ContourPoints) + sizeof(LineCandidates)) / sizeof(float*);
+  constexpr std::size_t kRows =
+      (sizeof(ContourPoints) + sizeof(LineCandidates)) / sizeof(float*) + 1;
   const std::size_t length = most_points + LineJob::kPadding;
   if (capacity_ < kRows * length) {
     capacity_ = kRows * length;
@@ -65,6 +67,7 @@ void ContourMatch::reserve(std::size_t most_points) {
   const auto row = [&] { return std::exchange(next, next + length); };
   points_ = {row(), row(), row(), row(), row(), row(), row(),
              row(), row(), row(), row(), row(), row()};
+  moved_px_ = row();
   for (std::size_t k = 0; k < LineJob::kCandidates; ++k) {
     candidates_.offset_px[k] = row();
     candidates_.weight[k] = row();
@@ -83,6 +86,7 @@ LineJob ContourMatch::lines(int reach_px, const Appearance* appearance) const {
   job.outside_px = points_.outside_px;
   job.polarity = points_.polarity;
   job.shading_px = points_.shading_px;
+  if (blurred_) job.blur_px = moved_px_;
   if (appearance && appearance->learned()) job.log_odds = appearance->log_odds();
   return job;
 }
@@ -90,6 +94,25 @@ LineJob ContourMatch::lines(int reach_px, const Appearance* appearance) const {
 std::size_t ContourMatch::silhouettes() const {
   return static_cast<std::size_t>(std::count_if(points_.inside_px, points_.inside_px + count_,
                                                 [](float inside_px) { return inside_px >= 0; }));
+}
+
+void ContourMatch::move(const Twist& motion) {
+  const Eigen::Vector3f turn = motion.head<3>().cast<float>(),
+                        shift = motion.tail<3>().cast<float>();
+  const Eigen::Vector3f center_mm = start_.translation_mm.cast<float>();
+  const auto fx = static_cast<float>(camera_.fx_px), fy = static_cast<float>(camera_.fy_px);
+  for (std::size_t i = 0; i < count_; ++i) {
+    const Eigen::Vector3f at(points_.camera_x[i], points_.camera_y[i], points_.camera_z[i]);
+    const Eigen::Vector3f moved = turn.cross(at - center_mm) + shift;
+    const float x_px = fx * (moved.x() - moved.z() * at.x() / at.z()) / at.z();
+    const float y_px = fy * (moved.y() - moved.z() * at.y() / at.z()) / at.z();
+    moved_px_[i] = std::abs(x_px * points_.normal_x[i] + y_px * points_.normal_y[i]);
+  }
+}
+
+void ContourMatch::blur(const Twist& motion) {
+  move(motion);
+  blurred_ = true;
 }
 
 void ContourMatch::observe(int reach_px, const Appearance& appearance) {
@@ -128,6 +151,21 @@ ContourMatch::Confirmation ContourMatch::confirm(double reach_px, double fit_px,
   }
   const auto count = static_cast<double>(count_);
   return {sum.support / count, sum.fit / count};
+}
+
+std::vector<MovedEdge> ContourMatch::moved_edges(const Twist& motion,
+                                                 const Appearance& appearance) {
+  move(motion);
+  float* const sharpness = candidates_.log_score[0];
+  find_strongest(
+      lines(kConfirmingLine_px, &appearance),
+      {candidates_.offset_px[0], candidates_.weight[0], candidates_.weight[1], sharpness});
+  std::vector<MovedEdge> edges;
+  for (std::size_t i = 0; i < count_; ++i) {
+    if (points_.inside_px[i] < 0 || points_.trust[i] < 1) continue;
+    edges.push_back({moved_px_[i], sharpness[i]});
+  }
+  return edges;
 }
 
 double ContourMatch::edges_beside(int from_px, int to_px) const {

@@ -6,6 +6,7 @@
 #include <array>
 #include <cstddef>
 #include <memory>
+#include <vector>
 
 #include "anneal6d/framework/camera_model.h"
 #include "appearance.h"
@@ -16,6 +17,11 @@
 #include "view_model.h"
 
 namespace anneal6d {
+
+/// How far an edge moved across itself, pixels, and how sharp it is, see LineEdges.
+struct MovedEdge {
+  float moved_px, sharpness;
+};
 
 /// The visible contour at a pose, what the image shows across it, and the motion that brings both
 /// together. For one refinement at a time.
@@ -42,6 +48,10 @@ class ContourMatch {
   /// The points that project() took, in the picture.
   const ContourPoints& points() const { return points_; }
   std::size_t silhouettes() const;
+
+  /// The points that were projected move by this while the shutter is open, about the object's
+  /// centre: edges are found where they are in the middle of that time.
+  void blur(const Twist& motion);
 
   /// Finds the edges up to `reach_px` from each point.
   void observe(int reach_px, const Appearance& appearance);
@@ -71,6 +81,10 @@ class ContourMatch {
   };
   Confirmation confirm(double reach_px, double fit_px, const Appearance& appearance);
 
+  /// The edges of outlines that have none beside them, where the object moved by this since the
+  /// last frame. Takes the place of what was observed.
+  std::vector<MovedEdge> moved_edges(const Twist& motion, const Appearance& appearance);
+
   /// The share of the points, 0..1, that have an edge `from_px` to `to_px` beside them, of both
   /// sides the mean.
   double edges_beside(int from_px, int to_px) const;
@@ -79,6 +93,8 @@ class ContourMatch {
   using Matrix6 = Eigen::Matrix<double, 6, 6>;
 
   void reserve(std::size_t most_points);
+  /// How far a motion moves the points across their edges.
+  void move(const Twist& motion);
   /// Of the last step, along each eigenvector: share^2 + feigned^2. What is solved with it goes
   /// from nothing at share 0 to the edges' word at share 1, half of it at the feigned one.
   Matrix6 gain(double feigned_share) const;
@@ -90,12 +106,14 @@ class ContourMatch {
   Eigen::Vector3d center_mm_;
   Pose expected_center_;
   double feigned_share_ = 1;
-  std::unique_ptr<float[]> rows_;  ///< of points_ and candidates_
+  std::unique_ptr<float[]> rows_;  ///< of points_, moved_px_ and candidates_
   std::size_t capacity_ = 0;       ///< of rows_
   ContourPoints points_{};
+  float* moved_px_ = nullptr;  ///< across edges; an entry a point
   LineCandidates candidates_{};
   std::size_t count_ = 0;
-  Pose start_;  ///< camera_from_center of the projection
+  bool blurred_ = false;  ///< by motion: moved_px_ is how far
+  Pose start_;            ///< camera_from_center of the projection
   Twist motion_ = Twist::Zero();
   // Of the last step: how far each entry of a twist is to move the points equally far, the normal
   // matrix in these units, and the sum of the weights.

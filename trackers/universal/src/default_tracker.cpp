@@ -8,6 +8,7 @@
 #include <vector>
 
 #include "exact_contour.h"
+#include "exposure.h"
 #include "motion_model.h"
 #include "pose_filter_tracker.h"
 #include "pose_search.h"
@@ -47,6 +48,7 @@ constexpr double kSupportRise = 0.1, kSupportFall = 0.3;  // the same in the usu
 constexpr double kLeastReach_px = 6.0, kMostReach_px = 16.0;
 constexpr std::size_t kLargeModel = 40'000;       // triangles, too many to be drawn in every frame
 constexpr double kEdgeError_px = 0.15;            // by which all of a contour may be off together
+constexpr double kTellingMotion_px = 2.0;         // less blurs too little to learn from
 constexpr double kRight_mm = 10, kRight_deg = 2;  // what quality is the probability of
 
 /// Share of frames with such support beyond chance (1: all that is possible, 0: none) whose pose
@@ -88,6 +90,7 @@ class DefaultTracker final : public PoseFilterTracker {
     PoseFilterTracker::on_reset(camera_from_object);
     motion_.reset();
     uncertainty_.reset();
+    exposure_.reset();
     appearance_.reset();
     if (exact_) exact_->reset();
     usual_support_ = kFirstSupport;
@@ -146,11 +149,16 @@ class DefaultTracker final : public PoseFilterTracker {
 
     double chance = 0;
     Refiner::Colours seen;
-    workers_.each(2, 1, [&](std::size_t i) {
+    std::vector<MovedEdge> moved_edges;
+    const Twist motion = twist_between(last, found);
+    workers_.each(3, 1, [&](std::size_t i) {
       if (i == 0) {
         chance = refiner_.chance(best.camera_from_object);
-      } else {
+      } else if (i == 1) {
         seen = refiner_.colours(result.camera_from_object, appearance);
+      } else if (exact_ && displacement_mm(motion, mesh().radius_mm()) >
+                               kTellingMotion_px * mm_per_px(found)) {
+        moved_edges = refiner_.moved_edges(best.camera_from_object, motion, appearance);
       }
     });
     confirmation_ = confirmation_of(best, chance);
@@ -166,7 +174,10 @@ class DefaultTracker final : public PoseFilterTracker {
     }
     center_ = found;
     if (bad_frames() < 2) motion_.observe(last, center_);  // else it took several frames
-    if (confirmed) appearance_->learn(seen.object, seen.beside);
+    if (confirmed) {
+      appearance_->learn(seen.object, seen.beside);
+      if (!lost_sight) exposure_.observe(moved_edges);
+    }
   }
 
   Judgement judge(const TrackResult& /*result*/) override {
@@ -260,8 +271,13 @@ class DefaultTracker final : public PoseFilterTracker {
   /// contour likes better takes its place.
   Refiner::Result polished(const Refiner::Result& refined, const Appearance& appearance) {
     ExactContour& exact = *exact_;
+    Twist blur = Twist::Zero();
+    if (bad_frames() == 0) {
+      blur =
+          exposure_.share() * twist_between(center_, filter_.to_center(refined.camera_from_object));
+    }
     const auto polish = [&](const Refiner::Result& start) {
-      return refiner_.polish(start, exact.contour(), exact.feigned_share(), appearance);
+      return refiner_.polish(start, exact.contour(), exact.feigned_share(), blur, appearance);
     };
     std::vector<Pose> starts{filter_.to_object(expected_.camera_from_center)};
     const auto look_along = [&](std::uint32_t motion, double steps) {
@@ -371,6 +387,7 @@ class DefaultTracker final : public PoseFilterTracker {
   std::unique_ptr<ExactContour> exact_;  ///< null for very large models
   MotionModel motion_;
   PoseUncertainty uncertainty_;
+  Exposure exposure_;
   std::optional<Appearance> appearance_;  ///< for as many channels as the frames have
 
   Expectation expected_;

@@ -50,7 +50,9 @@ void FindCandidates(const LineJob& job, const LineCandidates& out) {
     for (std::size_t k = 0; k < LineJob::kCandidates; ++k) {
       const MF there = hn::Gt(best[k], Set(kNone));
       const Profile::Levels levels = lines.LevelsBeside(place[k]);
-      VF offset = hn::Sub(lines.Between(place[k]), lines.EncodingShift(levels));
+      VF encoding = lines.EncodingShift(levels);
+      if (job.blur_px) encoding = hn::Mul(encoding, lines.BlurredEncoding(first));
+      VF offset = hn::Sub(lines.Between(place[k]), encoding);
       if (job.shading_px) offset = hn::Sub(offset, lines.ShadingShift(first, levels));
       const VF weight = Profile::Weight(lines.SlopeAt(place[k], 0));
       hn::StoreU(hn::IfThenElseZero(there, offset), f, out.offset_px[k] + first);
@@ -83,6 +85,9 @@ void FindStrongest(const LineJob& job, const LineEdges& out) {
     hn::StoreU(hn::IfThenElseZero(there, offset), f, out.offset_px + first);
     hn::StoreU(hn::IfThenElseZero(there, lines.SlopeAt(place, 0)), f, out.strength + first);
     hn::StoreU(hn::Exp(f, lines.Colours(lines.middle())), f, out.agreement + first);
+    if (out.sharpness) {
+      hn::StoreU(hn::IfThenElseZero(there, lines.Sharpness(place)), f, out.sharpness + first);
+    }
   }
 }
 

@@ -38,6 +38,8 @@ struct LineJob {
   /// is taken back from where edges are found, by as much of it as contrast allows; null: it moves
   /// none.
   const float* shading_px;
+  /// How far the edge moved along its line while the shutter was open; null: nothing moved.
+  const float* blur_px;
   /// Logarithm of the odds that a colour is the object's, as of Appearance, with its padding; null:
   /// no colours are known.
   const std::int8_t* log_odds;
@@ -45,8 +47,8 @@ struct LineJob {
 
 /// The edges that have most to say for them, the first one first: by their strength, by colours
 /// (before the object's border there are its own colours, behind it others), and the nearer the
-/// better. Located in light: cameras mix light within a pixel and encode the mixture, which moves
-/// the greatest slope off a step, to its dark side.
+/// better. Located in light: cameras mix light, within a pixel and while the shutter is open, and
+/// encode the mixture, which moves the greatest slope off a step, to its dark side.
 struct LineCandidates {
   // For each candidate an entry a line, as many as the lines padded to whole vectors.
   float* offset_px[LineJob::kCandidates];  ///< from the middle, along the normal
@@ -60,6 +62,9 @@ struct LineEdges {
   float* offset_px;
   float* strength;   ///< grey levels a pixel; 0: there is no edge
   float* agreement;  ///< 0..1: of the colours with an edge in the middle; 1 without colours
+  /// Half of the inverse of the edge's variance, px^-2, as far as a Gaussian fits its slopes; 0
+  /// where it is too faint to tell. Null: not wanted.
+  float* sharpness = nullptr;
 };
 void find_strongest(const LineJob& job, const LineEdges& edges);
 

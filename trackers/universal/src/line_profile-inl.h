@@ -39,7 +39,9 @@ constexpr float kHalfWeight = 4.0F;            // the slope that counts half
 constexpr float kPixelWeight = 0.5F;           // pixels beside each other show the same
 constexpr float kNear = 0.6F;         // of the reach: what is farther away is expected less
 constexpr float kMostShading = 2.0F;  // of the shift by shading before black
-constexpr float kNone = -1e30F;       // logarithm of the score of what is no edge
+constexpr float kMostBlur_px = 6.0F;
+constexpr float kClear = 6.0F, kLeastClear = 0.5F;  // slopes that tell how sharp an edge is
+constexpr float kNone = -1e30F;                     // logarithm of the score of what is no edge
 
 VF Set(float value) { return hn::Set(F(), value); }
 VF Square(VF x) { return hn::Mul(x, x); }
@@ -148,6 +150,26 @@ class Profile {
     const MF clear = hn::Lt(levels.from, hn::Mul(most, hn::Abs(step)));
     const VF share = hn::IfThenElse(clear, hn::Div(levels.from, step), hn::CopySign(most, step));
     return hn::Mul(fading, share);
+  }
+
+  /// How much farther the encoding moves an edge that is blurred by motion than one that is not: a
+  /// step before black that pixels of 1, 1.5, 2 and 3 times the width mix is found 1, 1.6, 2.2 and
+  /// 3.8 times as far off.
+  VF BlurredEncoding(std::size_t first) const {
+    constexpr F f;
+    const VF blur = hn::Min(Take(job_.blur_px + first), Set(kMostBlur_px));
+    return hn::Exp(f, hn::Mul(Set(0.6F), hn::Log(f, hn::MulAdd(blur, blur, Set(1.0F)))));
+  }
+
+  /// See LineEdges.
+  VF Sharpness(VI place) const {
+    constexpr F f;
+    const VF before = SlopeAt(place, -1), here = SlopeAt(place, 0), after = SlopeAt(place, 1);
+    const MF clear =
+        hn::And(hn::Ge(here, Set(kClear)), hn::Ge(hn::Min(before, after), Set(kLeastClear)));
+    const auto log = [&](VF slope) { return hn::Log(f, hn::Max(slope, Set(kLeastClear))); };
+    const VF beside = hn::Mul(Set(0.5F), hn::Add(log(before), log(after)));
+    return hn::IfThenElseZero(clear, hn::Sub(log(here), beside));
   }
 
   /// See EncodingBias.

@@ -125,7 +125,7 @@ Pose Refiner::approach(const Pose& start_camera_from_object, const Appearance& a
 }
 
 Refiner::Result Refiner::polish(const Result& refined, const ModelView& view, double feigned_share,
-                                const Appearance& appearance) const {
+                                const Twist& blur, const Appearance& appearance) const {
   if (smooth_.empty()) return refined;
   ContourMatch contour = match();
   contour.expect(to_center(refined.camera_from_object), feigned_share);
@@ -134,6 +134,7 @@ Refiner::Result Refiner::polish(const Result& refined, const ModelView& view, do
     if (contour.project(polished.camera_from_object, view, round.most_points) < kFewestPoints) {
       return refined;
     }
+    if (!blur.isZero()) contour.blur(blur);
     contour.observe(round.observed_px, appearance);
     for (const double reach_px : round.reaches_px) {
       for (int i = 0; i < kStepsPerRound; ++i) contour.step(reach_px);
@@ -175,6 +176,14 @@ double Refiner::chance(const Pose& camera_from_object) const {
   ContourMatch contour = match();
   contour.project(camera_from_object, views_.seen_from(camera_from_object), kAllPoints);
   return contour.edges_beside(kAside_px - kAsideReach_px, kAside_px + kAsideReach_px);
+}
+
+std::vector<MovedEdge> Refiner::moved_edges(const Pose& camera_from_object, const Twist& motion,
+                                            const Appearance& appearance) const {
+  if (smooth_.empty()) return {};
+  ContourMatch contour = match();
+  contour.project(camera_from_object, views_.seen_from(camera_from_object), kFewPoints);
+  return contour.moved_edges(motion, appearance);
 }
 
 Refiner::Colours Refiner::colours(const Pose& camera_from_object,

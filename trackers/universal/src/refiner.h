@@ -71,9 +71,10 @@ class Refiner {
   static constexpr std::size_t kMostPolished = 360;
 
   /// Goes on from a refined pose with `view`, the contour exactly as at that pose. What the edges
-  /// leave open stays as it is; for `feigned_share` see ContourMatch::expect.
+  /// leave open stays as it is; for `feigned_share` see ContourMatch::expect. `blur`: the object's
+  /// motion while the shutter is open.
   Result polish(const Result& refined, const ModelView& view, double feigned_share,
-                const Appearance& appearance) const;
+                const Twist& blur, const Appearance& appearance) const;
 
   /// How well the image confirms a pose.
   Result examine(const Pose& camera_from_object, const Appearance& appearance,
@@ -85,6 +86,10 @@ class Refiner {
   /// The share of the visible contour that would have an edge near it also where it does not
   /// belong, 0..1: in a cluttered image edges confirm little.
   double chance(const Pose& camera_from_object) const;
+
+  /// See ContourMatch::moved_edges.
+  std::vector<MovedEdge> moved_edges(const Pose& camera_from_object, const Twist& motion,
+                                     const Appearance& appearance) const;
 
   /// The colours on both sides of the silhouette, as bins of `appearance` to be learned.
   struct Colours {
