@@ -70,10 +70,21 @@ Undistorter::Undistorter(const CameraModel& camera) {
 }
 
 cv::Mat Undistorter::operator()(const cv::Mat& image) const {
-  if (map_x_.empty()) return image;
   cv::Mat undistorted;
-  cv::remap(image, undistorted, map_x_, map_y_, cv::INTER_LINEAR, cv::BORDER_REPLICATE);
+  undistort(image, {0, 0, image.cols, image.rows}, undistorted);
   return undistorted;
+}
+
+void Undistorter::undistort(const cv::Mat& image, const cv::Rect& region,
+                            cv::Mat& undistorted) const {
+  if (map_x_.empty()) {
+    undistorted = image;
+    return;
+  }
+  undistorted.create(image.size(), image.type());
+  if (region.empty()) return;
+  cv::Mat part = undistorted(region);
+  cv::remap(image, part, map_x_(region), map_y_(region), cv::INTER_LINEAR, cv::BORDER_REPLICATE);
 }
 
 }  // namespace anneal6d

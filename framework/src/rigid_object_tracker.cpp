@@ -32,7 +32,7 @@ std::string_view to_string(TrackStatus status) {
 
 RigidObjectTracker::RigidObjectTracker(std::shared_ptr<const TriangleMesh> mesh,
                                        const CameraModel& camera)
-    : mesh_(std::move(mesh)), camera_((camera.validate(), camera)), undistort_(camera) {
+    : mesh_(std::move(mesh)), camera_((camera.validate(), camera)), undistorter_(camera) {
   if (!mesh_) throw ConfigError("a tracker needs a mesh");
 }
 
@@ -51,7 +51,7 @@ void RigidObjectTracker::reset(const Pose& camera_from_object) {
 void RigidObjectTracker::reset(const Pose& camera_from_object, const Frame& frame) {
   check(frame);
   reset(camera_from_object);
-  on_shown(undistort_(frame.image));
+  on_shown(undistorted(frame));
 }
 
 void RigidObjectTracker::check(const Frame& frame) const {
@@ -68,12 +68,18 @@ void RigidObjectTracker::check(const Frame& frame) const {
   }
 }
 
+const cv::Mat& RigidObjectTracker::undistorted(const Frame& frame) {
+  const cv::Rect whole(0, 0, camera_.width_px, camera_.height_px);
+  undistorter_.undistort(frame.image, region_of_interest() & whole, undistorted_);
+  return undistorted_;
+}
+
 TrackResult RigidObjectTracker::track(const Frame& frame) {
   if (!started_) throw ConfigError("track() needs an initial pose: call reset() first");
   check(frame);
   TrackResult result;
   Stopwatch watch;
-  preprocess(undistort_(frame.image));
+  preprocess(undistorted(frame));
   result.timings.preprocess_ms = watch.lap_ms();
   estimate(result);
   result.timings.estimate_ms = watch.lap_ms();

@@ -40,6 +40,7 @@ class FakeTracker final : public RigidObjectTracker {
   std::string hooks;
   Pose start;
   cv::Mat image, shown;
+  cv::Rect region{0, 0, 1000, 1000};
   Judgement judgement{0.75, TrackStatus::tracking};
 
  protected:
@@ -47,6 +48,7 @@ class FakeTracker final : public RigidObjectTracker {
     hooks += "reset ";
     start = camera_from_object;
   }
+  cv::Rect region_of_interest() override { return region; }
   void on_shown(const cv::Mat& undistorted) override {
     hooks += "shown ";
     shown = undistorted;
@@ -134,6 +136,27 @@ TEST(RigidObjectTracking, RemovesTheDistortionBeforePreprocessing) {
   ASSERT_EQ(tracker.image.size(), image.size());
   EXPECT_GT(cv::countNonZero(tracker.image != image), 0);
   EXPECT_EQ(cv::countNonZero(tracker.image != Undistorter(distorted)(image)), 0);
+}
+
+TEST(RigidObjectTracking, RemovesTheDistortionOnlyWhereTheTrackerLooks) {
+  CameraModel distorted = small_camera();
+  distorted.distortion[0] = -0.5;
+  FakeTracker tracker(distorted);
+  tracker.reset(at_depth(600));
+  cv::Mat first(48, 64, CV_8UC1), second(48, 64, CV_8UC1);
+  cv::randu(first, 0, 256);
+  cv::randu(second, 0, 256);
+  tracker.track(frame_of(first));
+  tracker.region = {40, 20, 100, 10};  // beyond the image, too
+  tracker.track(frame_of(second));
+  const cv::Rect inside(40, 20, 24, 10);
+  const Undistorter undistort(distorted);
+  cv::Mat expected = undistort(first);
+  undistort(second)(inside).copyTo(expected(inside));
+  EXPECT_EQ(cv::countNonZero(tracker.image != expected), 0);
+  tracker.region = {};
+  tracker.track(frame_of(first));
+  EXPECT_EQ(cv::countNonZero(tracker.image != expected), 0) << "nothing is of interest";
 }
 
 TEST(RigidObjectTracking, ShowsTheFrameOfTheStartWithoutDistortionAfterResetting) {

@@ -63,6 +63,18 @@ TEST_F(ContourDrawnWhileTracking, IsDrawnAgainNearer) {
   EXPECT_NE(place_mm(), before_mm);
 }
 
+TEST_F(ContourDrawnWhileTracking, IsDrawnAgainAfterTheImageCutItOff) {
+  Pose outside = corner_view();
+  const Eigen::Quaterniond pan = rotation_from_axis_angle(Eigen::Vector3d::UnitY(), 0.45);
+  outside.rotation = pan * outside.rotation;
+  outside.translation_mm = pan * outside.translation_mm;
+  exact.draw(outside, workers);
+  const std::size_t half = exact.contour().contour.size();
+  EXPECT_GT(half, 0U);
+  exact.draw(corner_view(), workers);
+  EXPECT_GT(exact.contour().contour.size(), half + 20);
+}
+
 TEST_F(ContourDrawnWhileTracking, IsForgottenAtAReset) {
   const Pose near = turned_deg({0, 0.2, 0});
   const Eigen::Vector3f before_mm = place_mm();

@@ -54,6 +54,14 @@ class ColouredBox : public testing::Test {
 
 TEST_F(ColouredBox, SaysNothingBeforeColoursAreLearned) { EXPECT_EQ(score(truth_), 0); }
 
+TEST_F(ColouredBox, SaysNothingOutsideThePicture) {
+  teach();
+  refiner_.set_image(image_, {0, 0, 3, 100});  // too narrow to be looked at
+  ASSERT_TRUE(refiner_.picture().smooth.empty());
+  cue_.set_image(refiner_.picture(), appearance_);
+  EXPECT_EQ(score(truth_), 0);
+}
+
 TEST_F(ColouredBox, FitsBestWhereItIs) {
   teach();
   const double best = score(truth_);

@@ -157,6 +157,8 @@ TEST(UniversalOptions, NameTheSettingThatIsWrong) {
   expect_refused("drift", "maybe");
   expect_refused("sigma-mm", "-1");
   expect_refused("sigma-mm", "nan");
+  expect_refused("sigma-mm", "0", "more than 0");
+  expect_refused("sigma-deg", "0", "more than 0");
   expect_refused("sigma-deg", "91");
   expect_refused("edges", "roberts", "unknown edge operator 'roberts'");
   expect_refused("edge-threshold", "automatic");
@@ -171,6 +173,13 @@ TEST(UniversalOptions, NameTheSettingThatIsWrong) {
   expect_refused("seed", "-1");
   expect_refused("threads", "-1");
   expect_refused("canny-low", "20", "belongs to canny");
+}
+
+TEST(UniversalOptions, AllowNoNoiseInTheThesissMode) {
+  Settings settings;
+  settings.set("mode", "thesis");
+  settings.set("sigma-deg", "0");
+  EXPECT_EQ(Options::from(settings).sigma_deg, 0);
 }
 
 TEST(UniversalOptions, NameTheFieldThatIsWrong) {

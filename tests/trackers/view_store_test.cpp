@@ -7,6 +7,7 @@
 #include <filesystem>
 #include <fstream>
 
+#include "anneal6d/framework/error.h"
 #include "anneal6d/framework/log.h"
 #include "synthetic.h"
 
@@ -116,6 +117,19 @@ TEST_F(ViewStore, DoesWithoutAFolderThatCannotBeWritten) {
   EXPECT_EQ(view_model_of(setup_)->views().size(), std::size_t{ViewModel::kViews});
   EXPECT_NE(warnings_.find("the next run will prepare the model again"), std::string::npos)
       << warnings_;
+}
+
+TEST_F(ViewStore, AsksForTheUnitOfATinyModel) {
+  setup_.mesh = test::make_box(0.9F, 0.6F, 0.7F);
+  try {
+    view_model_of(setup_);
+    ADD_FAILURE() << "a model in metres was taken";
+  } catch (const ConfigError& error) {
+    EXPECT_NE(std::string(error.what()).find("unit"), std::string::npos) << error.what();
+  }
+  EXPECT_EQ(drawn_, 0);
+  setup_.mesh = test::make_box(4, 3, 3);
+  for (const ModelView& view : view_model_of(setup_)->views()) EXPECT_GT(view.contour.size(), 20U);
 }
 
 TEST_F(ViewStore, KeepsNothingWithoutAFolder) {

@@ -97,6 +97,14 @@ class DefaultTracker final : public PoseFilterTracker {
     usual_fit_ = 0;
   }
 
+  cv::Rect region_of_interest() override {
+    // Where the object was lost sight of, it may go farther away with every frame.
+    const double lost_for = std::min<double>(bad_frames(), kLongestLost);
+    expected_ = {moved(center_, motion_.drift()), (1 + kGoneAway * lost_for) * motion_.sigma()};
+    return with_surroundings(window(expected_.camera_from_center, mesh().radius_mm(), margin_px()) |
+                             window(expected_.camera_from_center, searched_mm(), kWindow_px));
+  }
+
   void on_shown(const cv::Mat& undistorted) override {
     look(undistorted, center_, kWindow_px);
     const Pose pose = filter_.to_object(center_);
@@ -108,10 +116,7 @@ class DefaultTracker final : public PoseFilterTracker {
 
   void preprocess(const cv::Mat& undistorted) override {
     image_ = undistorted;
-    // Where the object was lost sight of, it may go farther away with every frame.
-    const double lost_for = std::min<double>(bad_frames(), kLongestLost);
-    expected_ = {moved(center_, motion_.drift()), (1 + kGoneAway * lost_for) * motion_.sigma()};
-    look(undistorted, expected_.camera_from_center, kWindow_px + 3 * deviation_px());
+    look(undistorted, expected_.camera_from_center, margin_px());
   }
 
   void estimate(TrackResult& result) override {
@@ -202,8 +207,7 @@ class DefaultTracker final : public PoseFilterTracker {
   /// Particles search, wider and wider, for a pose that the image confirms better than the refined
   /// one. Where even they find none, less is usual from now on: something hides the object.
   Refiner::Result search_around(const Refiner::Result& refined, const Appearance& appearance) {
-    detect_edges_around(image_, expected_.camera_from_center,
-                        mesh().radius_mm() + 3 * expected_.sigma[5]);
+    detect_edges_around(image_, expected_.camera_from_center, searched_mm());
     region_.set_image(refiner_.picture(), appearance);
     Refiner::Result best = refined;
     Expectation wider = expected_;
@@ -372,6 +376,11 @@ class DefaultTracker final : public PoseFilterTracker {
     }
     refiner_.set_image(undistorted, window(camera_from_center, mesh().radius_mm(), margin_px));
   }
+
+  /// Around the object as expected, what is looked at.
+  double margin_px() const { return kWindow_px + 3 * deviation_px(); }
+  /// Of a sphere around the object, in which it is searched for.
+  double searched_mm() const { return mesh().radius_mm() + 3 * expected_.sigma[5]; }
 
   /// How far the object's edges may be, in the image, from where they are expected.
   double deviation_px() const {

@@ -24,7 +24,12 @@ ExactContour::ExactContour(const ScorerSetup& setup)
 void ExactContour::draw(const Pose& camera_from_object, Workers& workers) {
   if (looks_as_drawn(camera_from_object)) return;
   contour_ = painter_.paint_contour(camera_from_object, Refiner::kMostPolished, 0, workers);
-  drawn_ = camera_from_object;
+  // What the image's border cuts off may come into sight with a shift.
+  if (painter_.all_in_image()) {
+    drawn_ = camera_from_object;
+  } else {
+    drawn_.reset();
+  }
 }
 
 bool ExactContour::looks_as_drawn(const Pose& camera_from_object) const {

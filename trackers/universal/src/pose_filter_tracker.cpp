@@ -67,6 +67,12 @@ cv::Rect PoseFilterTracker::window(const Pose& camera_from_center, double radius
   return around.area() >= 256 ? around : whole;
 }
 
+cv::Rect PoseFilterTracker::with_surroundings(const cv::Rect& window) {
+  constexpr int kReach_px = 24;
+  return {window.x - kReach_px, window.y - kReach_px, window.width + 2 * kReach_px,
+          window.height + 2 * kReach_px};
+}
+
 bool PoseFilterTracker::confirms(double confirmation) { return confirmation >= kLostQuality; }
 
 RigidObjectTracker::Judgement PoseFilterTracker::end_frame(double quality, double confirmation) {

@@ -40,6 +40,9 @@ class PoseFilterTracker : public RigidObjectTracker {
   /// that is none of it.
   cv::Rect window(const Pose& camera_from_center, double radius_mm, double margin_px) const;
 
+  /// A window with the pixels around it that blurring it and finding edges in it may read.
+  static cv::Rect with_surroundings(const cv::Rect& window);
+
   /// Whether so much confirmation of a pose by the image, 0..1, is enough.
   static bool confirms(double confirmation);
   /// How many frames running, up to the last, did not confirm their pose.

@@ -43,7 +43,7 @@ RegionCue::RegionCue(const ViewModel& views, const CameraModel& camera, Workers&
 }
 
 void RegionCue::set_image(const SmoothPicture& picture, const Appearance& appearance) {
-  constexpr std::size_t kReadBehind = 3;  // bytes
+  constexpr std::size_t kReadBehind = 4;  // bytes, from the first place on if there is none
   const cv::Mat& smooth = picture.smooth;
   origin_ = picture.origin;
   columns_ = smooth.cols / 2;

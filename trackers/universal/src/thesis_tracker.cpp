@@ -24,11 +24,12 @@ class ThesisTracker final : public PoseFilterTracker {
     last_motion_.setZero();
   }
 
+  cv::Rect region_of_interest() override {
+    return with_surroundings(window(center_, reached_mm(), kWindow_px));
+  }
+
   void preprocess(const cv::Mat& undistorted) override {
-    // Wherever particles may go within the frame's layers.
-    const double wander_mm = kFarthest * options_.sigma_mm + last_motion_.tail<3>().norm();
-    const cv::Rect around =
-        detect_edges_around(undistorted, center_, mesh().radius_mm() + wander_mm);
+    const cv::Rect around = detect_edges_around(undistorted, center_, reached_mm());
     chance_ = static_cast<double>(cv::countNonZero(frame_edges().binary(around))) /
               static_cast<double>(around.area());
   }
@@ -60,6 +61,12 @@ class ThesisTracker final : public PoseFilterTracker {
   }
 
  private:
+  /// Of a sphere around the object that holds it wherever particles may go within the frame's
+  /// layers.
+  double reached_mm() const {
+    return mesh().radius_mm() + kFarthest * options_.sigma_mm + last_motion_.tail<3>().norm();
+  }
+
   Twist initial_sigma() const {
     Twist sigma;
     sigma << Eigen::Vector3d::Constant(options_.sigma_deg * kDegree),

@@ -130,6 +130,12 @@ void UniversalTrackerOptions::validate() const {
   check("annealing_ratio", annealing_ratio, 0, 1);
   check("sigma_mm", sigma_mm, 0, 1000);
   check("sigma_deg", sigma_deg, 0, 90);
+  if (mode == UniversalMode::standard && (sigma_mm == 0 || sigma_deg == 0)) {
+    throw ConfigError(
+        "universal tracker: sigma_mm and sigma_deg must be more than 0 in default mode, which "
+        "expects "
+        "no motion at all otherwise");
+  }
   check("threads", threads, 0, 1024);
   frame_edges.validate();
   model_edges.validate();

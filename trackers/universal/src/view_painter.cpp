@@ -84,6 +84,11 @@ float ViewPainter::depth_at(float x, float y) const {
   return depth_mm_.at<float>(row, column);
 }
 
+bool ViewPainter::all_in_image() const {
+  return region_.x > 0 && region_.y > 0 && region_.x + region_.width < camera_.width_px &&
+         region_.y + region_.height < camera_.height_px;
+}
+
 ModelView ViewPainter::paint_contour(const Pose& camera_from_object, std::size_t most_samples,
                                      std::uint32_t seed, Workers& workers) {
   ModelView view;

@@ -16,8 +16,8 @@ namespace anneal6d {
 CameraModel view_camera();
 
 /// Makes one view at a time: draws the object, finds its contour and the edge pixels of the
-/// drawing, and says of each what tracking wants to know. For one caller at a time; copies are
-/// independent. The model outlives it.
+/// drawing, and says of each what tracking wants to know. For one caller at a time; a copy made
+/// before anything was painted is independent. The model outlives it.
 class ViewPainter {
  public:
   ViewPainter(const RasterModel& model, const EdgeOptions& edges, const Shading& shading,
@@ -31,6 +31,9 @@ class ViewPainter {
   /// and their order. `workers` share the work.
   ModelView paint_contour(const Pose& camera_from_object, std::size_t most_samples,
                           std::uint32_t seed, Workers& workers);
+
+  /// Whether nothing of the object was beyond the image's border in the last picture.
+  bool all_in_image() const;
 
  private:
   void take_samples(std::span<const ContourPoint> points, const Pose& camera_from_object,

@@ -11,10 +11,14 @@
 #include "anneal6d/framework/atomic_file.h"
 #include "anneal6d/framework/error.h"
 #include "anneal6d/framework/log.h"
+#include "anneal6d/framework/shading.h"
 #include "view_file.h"
 
 namespace anneal6d {
 namespace {
+
+/// Viewpoints that see all of a smaller object would be nearer than the near plane.
+constexpr double kLeastRadius_mm = 2 * kNearPlane_mm / ViewModel::kDistance;
 
 /// FNV-1a (Fowler, Noll, Vo), 64 bits: not for security, but for telling models apart.
 class Hash {
@@ -112,6 +116,11 @@ std::shared_ptr<const ViewModel> load_or_make(const ScorerSetup& setup, ViewKey 
 }  // namespace
 
 std::shared_ptr<const ViewModel> view_model_of(const ScorerSetup& setup) {
+  const double radius_mm = setup.mesh->radius_mm();
+  if (radius_mm < kLeastRadius_mm) {
+    throw ConfigError("the model measures only " + std::to_string(2 * radius_mm) +
+                      " mm: is its unit millimetres?");
+  }
   static std::mutex mutex;
   static std::map<ViewKey, std::weak_ptr<const ViewModel>> in_use;
   const ViewKey key = key_of(setup);

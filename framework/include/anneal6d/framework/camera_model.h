@@ -46,13 +46,16 @@ CameraModel load_camera(const std::filesystem::path& path);
 /// Writes OpenCV FileStorage YAML, atomically. Throws FileError.
 void save_camera(const CameraModel& camera, const std::filesystem::path& path);
 
-/// Removes lens distortion from whole frames; maps are computed once. For a camera without
-/// distortion the frame is passed through without a copy.
+/// Removes lens distortion from frames; maps are computed once. For a camera without distortion the
+/// frame is passed through without a copy.
 class Undistorter {
  public:
   explicit Undistorter(const CameraModel& camera);
   /// `image` has the calibration's size; the result may share its memory.
   cv::Mat operator()(const cv::Mat& image) const;
+  /// The same, of the part `region` of the image only, which lies inside it. `undistorted` gets the
+  /// image's size and type; outside of the region it keeps what it had.
+  void undistort(const cv::Mat& image, const cv::Rect& region, cv::Mat& undistorted) const;
 
  private:
   cv::Mat map_x_, map_y_;  // empty without distortion

@@ -31,8 +31,8 @@ struct StageTimings {
 struct TrackResult {
   Pose camera_from_object;       ///< the estimate: what a user should take
   Pose best_camera_from_object;  ///< the single best hypothesis (the best particle)
-  /// 0..1: the share of the object's visible edges that the image confirms beyond chance; means the
-  /// same for every scorer.
+  /// 0..1: how far the image confirms the pose; trackers say what it is the probability of, and it
+  /// means the same for every scorer.
   double quality = 0;
   TrackStatus status = TrackStatus::lost;
   StageTimings timings;
@@ -69,9 +69,13 @@ class RigidObjectTracker {
 
   /// Forget everything and start at the pose.
   virtual void on_reset(const Pose& camera_from_object) = 0;
+  /// Where `on_shown`, `preprocess` and what follows will look; asked before them. Only there is
+  /// distortion removed, elsewhere the image they get may be anything. Clipped to the image.
+  virtual cv::Rect region_of_interest() { return {0, 0, camera_.width_px, camera_.height_px}; }
   /// After `on_reset`: the object at that pose, in an image without distortion.
   virtual void on_shown(const cv::Mat& /*undistorted*/) {}
-  /// Prepare the image (of the camera's size, distortion removed) for `estimate`.
+  /// Prepare the image (of the camera's size, distortion removed, valid until the next frame) for
+  /// `estimate`.
   virtual void preprocess(const cv::Mat& undistorted) = 0;
   /// Find the pose; fills both poses of the result.
   virtual void estimate(TrackResult& result) = 0;
@@ -80,10 +84,12 @@ class RigidObjectTracker {
 
  private:
   void check(const Frame& frame) const;
+  const cv::Mat& undistorted(const Frame& frame);
 
   std::shared_ptr<const TriangleMesh> mesh_;
   CameraModel camera_;
-  Undistorter undistort_;
+  Undistorter undistorter_;
+  cv::Mat undistorted_;  ///< the last frame, where it was of interest
   bool started_ = false;
 };
 
