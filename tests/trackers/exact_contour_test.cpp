@@ -68,6 +68,7 @@ TEST_F(ContourDrawnWhileTracking, IsDrawnAgainAfterTheImageCutItOff) {
   const Eigen::Quaterniond pan = rotation_from_axis_angle(Eigen::Vector3d::UnitY(), 0.45);
   outside.rotation = pan * outside.rotation;
   outside.translation_mm = pan * outside.translation_mm;
+  exact.reset();
   exact.draw(outside, workers);
   const std::size_t half = exact.contour().contour.size();
   EXPECT_GT(half, 0U);
