@@ -61,6 +61,25 @@ TEST(UniversalTrackerOfABowl, IsUnsureOfItsTurnUnlessItIsKnownToBeRound) {
   EXPECT_LT(any.back().quality, 0.6);
 }
 
+// A pose that was told by eye is several pixels and degrees off.
+TEST(UniversalTrackerOfABox, StartsFromAboutWhereItIs) {
+  const test::SharedMesh box = test::make_box(90, 60, 75);
+  const test::Sequence sequence = test::moving_sequence(box, 4, 150);
+  for (unsigned i = 0; i < 16; ++i) {
+    const auto sign = [&](unsigned bit) { return (i >> bit & 1U) != 0 ? 1.0 : -1.0; };
+    const Pose about =
+        test::beside(*box, sequence.truth[0], {10 * sign(0), 10 * sign(1), 7 * sign(2)},
+                     {12 * sign(3), -12 * sign(1), 20 * sign(0)});
+    const auto tracker = make_plugin(tracker_plugins(), "tracker", "universal",
+                                     test::setup_for(box, {{"seed", std::to_string(i)}}));
+    tracker->reset(about, sequence.frames[0]);
+    Pose found;
+    for (const Frame& frame : sequence.frames) found = tracker->track(frame).camera_from_object;
+    EXPECT_LT(test::center_distance_mm(*box, found, sequence.truth.back()), 1.0) << i;
+    EXPECT_LT(test::angle_deg(found, sequence.truth.back()), 0.5) << i;
+  }
+}
+
 class UniversalTrackerOfABlackBox : public testing::TestWithParam<const char*> {};
 
 TEST_P(UniversalTrackerOfABlackBox, FollowsIt) {

@@ -48,6 +48,7 @@ constexpr double kSupportRise = 0.1, kSupportFall = 0.3;  // the same in the usu
 constexpr double kLeastReach_px = 6.0, kMostReach_px = 16.0;
 constexpr std::size_t kLargeModel = 40'000;       // triangles, too many to be drawn in every frame
 constexpr double kEdgeError_px = 0.15;            // by which all of a contour may be off together
+constexpr double kClearlyBetter = 0.1;            // in evidence, than the pose that was given
 constexpr double kTellingMotion_px = 2.0;         // less blurs too little to learn from
 constexpr double kRight_mm = 10, kRight_deg = 2;  // what quality is the probability of
 
@@ -107,10 +108,17 @@ class DefaultTracker final : public PoseFilterTracker {
 
   void on_shown(const cv::Mat& undistorted) override {
     look(undistorted, center_, kWindow_px);
-    const Pose pose = filter_.to_object(center_);
+    // Who tells the pose by eye is some pixels off: colours are learned where edges lead from
+    // there.
+    Pose pose = filter_.to_object(center_);
+    const Refiner::Result near_by = refiner_.refine(pose, pose, kMostReach_px, *appearance_);
+    if (near_by.evidence() > refiner_.examine(pose, *appearance_).evidence() + kClearlyBetter) {
+      pose = near_by.camera_from_object;
+      center_ = filter_.to_center(pose);
+    }
     refiner_.teach(pose, *appearance_);
     const Refiner::Result shown = refiner_.examine(pose, *appearance_);
-    usual_support_ = shown.support;
+    usual_support_ = std::max(shown.support, kFirstSupport);
     usual_fit_ = shown.fit;
   }
 
