@@ -46,10 +46,12 @@ constexpr double kRegionWeight = 20;  // of the colours beside the edges, as the
 constexpr double kFirstSupport = 0.8;
 constexpr double kSupportRise = 0.1, kSupportFall = 0.3;  // the same in the usual support
 constexpr double kLeastReach_px = 6.0, kMostReach_px = 16.0;
-constexpr std::size_t kLargeModel = 40'000;       // triangles, too many to be drawn in every frame
-constexpr double kEdgeError_px = 0.15;            // by which all of a contour may be off together
-constexpr double kClearlyBetter = 0.1;            // in evidence, than the pose that was given
-constexpr double kTellingMotion_px = 2.0;         // less blurs too little to learn from
+constexpr std::size_t kLargeModel = 40'000;  // triangles, too many to be drawn in every frame
+constexpr double kEdgeError_px = 0.15;       // by which all of a contour may be off together
+constexpr double kClearlyBetter = 0.1;       // in evidence, than the pose that was given
+// The shutter's time is learned in one of so many frames, of motions that blur enough.
+constexpr std::uint32_t kTellingFrames = 3;
+constexpr double kTellingMotion_px = 2.0;
 constexpr double kRight_mm = 10, kRight_deg = 2;  // what quality is the probability of
 
 /// Share of frames with such support beyond chance (1: all that is possible, 0: none) whose pose
@@ -164,13 +166,15 @@ class DefaultTracker final : public PoseFilterTracker {
     Refiner::Colours seen;
     std::vector<MovedEdge> moved_edges;
     const Twist motion = twist_between(last, found);
-    workers_.each(3, 1, [&](std::size_t i) {
+    const bool telling =
+        exact_ && frame_number_ % kTellingFrames == 0 &&
+        displacement_mm(motion, mesh().radius_mm()) > kTellingMotion_px * mm_per_px(found);
+    workers_.each(telling ? 3 : 2, 1, [&](std::size_t i) {
       if (i == 0) {
         chance = refiner_.chance(best.camera_from_object);
       } else if (i == 1) {
         seen = refiner_.colours(result.camera_from_object, appearance);
-      } else if (exact_ && displacement_mm(motion, mesh().radius_mm()) >
-                               kTellingMotion_px * mm_per_px(found)) {
+      } else {
         moved_edges = refiner_.moved_edges(best.camera_from_object, motion, appearance);
       }
     });

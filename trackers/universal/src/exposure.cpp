@@ -8,7 +8,7 @@
 namespace anneal6d {
 namespace {
 
-constexpr double kForgetting = 0.03;  // of what was seen, with each frame
+constexpr double kForgetting = 0.05;  // of what was seen, with each frame
 constexpr double kBin_px = 1.5;
 constexpr double kLeastEdges = 5;  // in a bin that says something
 constexpr double kSpread = 0.1;    // standard deviation of the sharpness of edges, px^-2
