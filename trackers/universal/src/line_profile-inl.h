@@ -40,8 +40,9 @@ constexpr float kPixelWeight = 0.5F;           // pixels beside each other show 
 constexpr float kNear = 0.6F;         // of the reach: what is farther away is expected less
 constexpr float kMostShading = 2.0F;  // of the shift by shading before black
 constexpr float kMostBlur_px = 6.0F;
-constexpr float kClear = 6.0F, kLeastClear = 0.5F;  // slopes that tell how sharp an edge is
-constexpr float kNone = -1e30F;                     // logarithm of the score of what is no edge
+constexpr float kClearSlope = 6.0F,
+                kLeastClearSlope = 0.5F;  // slopes that tell how sharp an edge is
+constexpr float kNone = -1e30F;           // logarithm of the score of what is no edge
 
 VF Set(float value) { return hn::Set(F(), value); }
 VF Square(VF x) { return hn::Mul(x, x); }
@@ -165,9 +166,9 @@ class Profile {
   VF Sharpness(VI place) const {
     constexpr F f;
     const VF before = SlopeAt(place, -1), here = SlopeAt(place, 0), after = SlopeAt(place, 1);
-    const MF clear =
-        hn::And(hn::Ge(here, Set(kClear)), hn::Ge(hn::Min(before, after), Set(kLeastClear)));
-    const auto log = [&](VF slope) { return hn::Log(f, hn::Max(slope, Set(kLeastClear))); };
+    const MF clear = hn::And(hn::Ge(here, Set(kClearSlope)),
+                             hn::Ge(hn::Min(before, after), Set(kLeastClearSlope)));
+    const auto log = [&](VF slope) { return hn::Log(f, hn::Max(slope, Set(kLeastClearSlope))); };
     const VF beside = hn::Mul(Set(0.5F), hn::Add(log(before), log(after)));
     return hn::IfThenElseZero(clear, hn::Sub(log(here), beside));
   }
