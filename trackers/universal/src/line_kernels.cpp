@@ -110,9 +110,9 @@ void FindBorders(const LineJob& job, float* offset_px, float* variance_px2) {
   }
 }
 
-int CountEdgesBeside(const LineJob& job, int from_px, int to_px) {
+SidesOfLines CountEdgesBeside(const LineJob& job, int from_px, int to_px) {
   constexpr F f;
-  std::size_t count = 0;
+  SidesOfLines count;
   for (std::size_t first = 0; first < job.count; first += hn::Lanes(f)) {
     const Profile lines(job, first);
     for (const int side : {-1, 1}) {
@@ -121,10 +121,12 @@ int CountEdgesBeside(const LineJob& job, int from_px, int to_px) {
       const int end = std::min(std::max(a, b), lines.last_place());
       MF some = hn::FirstN(f, 0);
       for (int i = begin; i <= end; ++i) some = hn::Or(some, lines.IsEdge(i));
-      count += hn::CountTrue(f, some);
+      const MF asked = lines.HasRoom(first, side, to_px);
+      count.with_edge += static_cast<int>(hn::CountTrue(f, hn::And(some, asked)));
+      count.all += static_cast<int>(hn::CountTrue(f, asked));
     }
   }
-  return static_cast<int>(count);
+  return count;
 }
 
 void SampleLines(const LineJob& job, const LineSamples& out) {
@@ -160,7 +162,7 @@ void find_borders(const LineJob& job, float* offset_px, float* variance_px2) {
 }
 
 HWY_EXPORT(CountEdgesBeside);
-int count_edges_beside(const LineJob& job, int from_px, int to_px) {
+SidesOfLines count_edges_beside(const LineJob& job, int from_px, int to_px) {
   return HWY_DYNAMIC_DISPATCH(CountEdgesBeside)(job, from_px, to_px);
 }
 
