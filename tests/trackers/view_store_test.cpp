@@ -129,7 +129,8 @@ TEST_F(ViewStore, AsksForTheUnitOfATinyModel) {
   }
   EXPECT_EQ(drawn_, 0);
   setup_.mesh = test::make_box(4, 3, 3);
-  for (const ModelView& view : view_model_of(setup_)->views()) EXPECT_GT(view.contour.size(), 20U);
+  const auto views = view_model_of(setup_);
+  for (const ModelView& view : views->views()) EXPECT_GT(view.contour.size(), 20U);
 }
 
 TEST_F(ViewStore, KeepsNothingWithoutAFolder) {
