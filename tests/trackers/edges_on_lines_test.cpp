@@ -127,9 +127,8 @@ class Line {
     return {rows[0][0], rows[1][0]};
   }
 
-  int sides(int to_px) const { return count_edges_beside(job(), 1, to_px).all; }
   int edges_beside(int from_px, int to_px) const {
-    return count_edges_beside(job(), from_px, to_px).with_edge;
+    return count_edges_beside(job(), from_px, to_px);
   }
 
  private:
@@ -260,21 +259,6 @@ TEST(LineOverManyEdges, CountsThoseAtADistanceOnBothSides) {
   EXPECT_EQ(line.edges_beside(4, 7), 2);
   EXPECT_EQ(line.edges_beside(2, 3), 0);
   EXPECT_EQ(line.edges_beside(1, 2), 1);
-  EXPECT_EQ(line.sides(7), 2);
-}
-
-// Of an object 5 pixels wide: its other edge says nothing of what is beside it.
-TEST(EdgesBesideALine, AreNotThoseOfAThinObject) {
-  const cv::Mat image = stripes({{25.0, grey(60)}, {30.5, grey(160)}, {1e9, grey(60)}});
-  Line line({image, {}}, {30.5, 20}, kRight, 10);
-  EXPECT_EQ(line.edges_beside(4, 7), 1);
-  const Appearance unknown(1);
-  line.compare(unknown, 5, 16);
-  EXPECT_EQ(line.sides(7), 1);
-  EXPECT_EQ(line.edges_beside(4, 7), 0);
-  line.compare(unknown, 16, 16);
-  EXPECT_EQ(line.sides(7), 2);
-  EXPECT_EQ(line.edges_beside(4, 7), 1);
 }
 
 }  // namespace

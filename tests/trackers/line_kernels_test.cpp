@@ -176,10 +176,9 @@ TEST_P(SampledLines, ShowTheSameEdgesOnEveryInstructionSetAlone) {
           EXPECT_EQ(all.others[row][line], alone.others[row][0]) << row << ", " << line;
         }
         edges += alone.candidates[1][0] > 0;
-        beside_alone += count_edges_beside(one, 1, reach_px).with_edge;
+        beside_alone += count_edges_beside(one, 1, reach_px);
       }
-      EXPECT_EQ(count_edges_beside(lines.job(picture, reach_px), 1, reach_px).with_edge,
-                beside_alone);
+      EXPECT_EQ(count_edges_beside(lines.job(picture, reach_px), 1, reach_px), beside_alone);
     }
     EXPECT_GT(edges, 5) << "a picture with edges";
   }

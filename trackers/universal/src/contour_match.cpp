@@ -170,8 +170,8 @@ std::vector<MovedEdge> ContourMatch::moved_edges(const Twist& motion,
 
 double ContourMatch::edges_beside(int from_px, int to_px) const {
   if (count_ == 0) return 0;
-  const SidesOfLines sides = count_edges_beside(lines(to_px, nullptr), from_px, to_px);
-  return sides.all > 0 ? static_cast<double>(sides.with_edge) / sides.all : 0;
+  const int hits = count_edges_beside(lines(to_px, nullptr), from_px, to_px);
+  return 0.5 * hits / static_cast<double>(count_);
 }
 
 void ContourMatch::step(double reach_px) {

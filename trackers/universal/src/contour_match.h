@@ -85,8 +85,8 @@ class ContourMatch {
   /// last frame. Takes the place of what was observed.
   std::vector<MovedEdge> moved_edges(const Twist& motion, const Appearance& appearance);
 
-  /// The share of the points' sides, 0..1, that have an edge `from_px` to `to_px` beside them; not
-  /// asked are sides where an outline's object has edges of its own.
+  /// The share of the points, 0..1, that have an edge `from_px` to `to_px` beside them, of both
+  /// sides the mean.
   double edges_beside(int from_px, int to_px) const;
 
  private:

@@ -110,9 +110,9 @@ void FindBorders(const LineJob& job, float* offset_px, float* variance_px2) {
   }
 }
 
-SidesOfLines CountEdgesBeside(const LineJob& job, int from_px, int to_px) {
+int CountEdgesBeside(const LineJob& job, int from_px, int to_px) {
   constexpr F f;
-  SidesOfLines count;
+  std::size_t count = 0;
   for (std::size_t first = 0; first < job.count; first += hn::Lanes(f)) {
     const Profile lines(job, first);
     for (const int side : {-1, 1}) {
@@ -121,12 +121,10 @@ SidesOfLines CountEdgesBeside(const LineJob& job, int from_px, int to_px) {
       const int end = std::min(std::max(a, b), lines.last_place());
       MF some = hn::FirstN(f, 0);
       for (int i = begin; i <= end; ++i) some = hn::Or(some, lines.IsEdge(i));
-      const MF asked = lines.HasRoom(first, side, to_px);
-      count.with_edge += static_cast<int>(hn::CountTrue(f, hn::And(some, asked)));
-      count.all += static_cast<int>(hn::CountTrue(f, asked));
+      count += hn::CountTrue(f, some);
     }
   }
-  return count;
+  return static_cast<int>(count);
 }
 
 void SampleLines(const LineJob& job, const LineSamples& out) {
@@ -162,7 +160,7 @@ void find_borders(const LineJob& job, float* offset_px, float* variance_px2) {
 }
 
 HWY_EXPORT(CountEdgesBeside);
-SidesOfLines count_edges_beside(const LineJob& job, int from_px, int to_px) {
+int count_edges_beside(const LineJob& job, int from_px, int to_px) {
   return HWY_DYNAMIC_DISPATCH(CountEdgesBeside)(job, from_px, to_px);
 }
 

@@ -72,13 +72,9 @@ void find_strongest(const LineJob& job, const LineEdges& edges);
 /// al., SRT3D (IJCV 2022); without colours the middle.
 void find_borders(const LineJob& job, float* offset_px, float* variance_px2);
 
-/// Of the sides of lines, up to two each, those that have an edge from `from_px` to `to_px` away
-/// from the middle. A side of an outline is left out where the object's own edges are nearer: by
-/// `inside_px` and `outside_px`.
-struct SidesOfLines {
-  int with_edge = 0, all = 0;
-};
-SidesOfLines count_edges_beside(const LineJob& job, int from_px, int to_px);
+/// Counts lines that have an edge from `from_px` to `to_px` away from the middle, along the normal
+/// and against it: up to two a line.
+int count_edges_beside(const LineJob& job, int from_px, int to_px);
 
 /// Samples of a line beyond its reach, on both sides.
 inline constexpr int kLineMargin = 2;

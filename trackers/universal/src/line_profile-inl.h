@@ -153,15 +153,6 @@ class Profile {
     return hn::Mul(fading, share);
   }
 
-  /// Which lines may have edges of others so far to this side of the middle: an outline's end where
-  /// the object does, or where something of it begins again.
-  MF HasRoom(std::size_t first, int side, int px) const {
-    constexpr F f;
-    const VF inside = Take(job_.inside_px + first), outside = Take(job_.outside_px + first);
-    const MF room = hn::Ge(side < 0 ? inside : outside, Set(static_cast<float>(px)));
-    return hn::And(lines_, hn::Or(room, hn::Lt(inside, hn::Zero(f))));
-  }
-
   /// How much farther the encoding moves an edge that is blurred by motion than one that is not: a
   /// step before black that pixels of 1, 1.5, 2 and 3 times the width mix is found 1, 1.6, 2.2 and
   /// 3.8 times as far off.
