@@ -133,8 +133,7 @@ void UniversalTrackerOptions::validate() const {
   if (mode == UniversalMode::standard && (sigma_mm == 0 || sigma_deg == 0)) {
     throw ConfigError(
         "universal tracker: sigma_mm and sigma_deg must be more than 0 in default mode, which "
-        "expects "
-        "no motion at all otherwise");
+        "expects no motion at all otherwise");
   }
   check("threads", threads, 0, 1024);
   frame_edges.validate();
