@@ -10,8 +10,8 @@ packages=(
   # compiler and build
   build-essential cmake ninja-build pkg-config
   # libraries
-  libcli11-dev libdc1394-dev libegl-dev libeigen3-dev libepoxy-dev libhwy-dev libopencv-dev
-  libspdlog-dev libtbb-dev nlohmann-json3-dev
+  libcli11-dev libdc1394-dev libegl-dev libeigen3-dev libepoxy-dev libhwy-dev
+  libmeshoptimizer-dev libopencv-dev libspdlog-dev libtbb-dev nlohmann-json3-dev
   # OpenGL without a display or a GPU
   libegl1 libegl-mesa0 libgl1-mesa-dri
   # tests, and the real image sequence they and the demo track

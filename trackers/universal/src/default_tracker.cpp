@@ -15,6 +15,7 @@
 #include "pose_uncertainty.h"
 #include "refiner.h"
 #include "region_cue.h"
+#include "simplified_mesh.h"
 #include "view_store.h"
 
 namespace anneal6d {
@@ -46,9 +47,10 @@ constexpr double kRegionWeight = 20;  // of the colours beside the edges, as the
 constexpr double kFirstSupport = 0.8;
 constexpr double kSupportRise = 0.1, kSupportFall = 0.3;  // the same in the usual support
 constexpr double kLeastReach_px = 6.0, kMostReach_px = 16.0;
-constexpr std::size_t kLargeModel = 40'000;  // triangles, too many to be drawn in every frame
-constexpr double kEdgeError_px = 0.15;       // by which all of a contour may be off together
-constexpr double kClearlyBetter = 0.1;       // in evidence, than the pose that was given
+// Triangles: what larger models are simplified to, and too many to be drawn in every frame.
+constexpr std::size_t kDrawnTriangles = 20'000, kLargeModel = 40'000;
+constexpr double kEdgeError_px = 0.15;  // by which all of a contour may be off together
+constexpr double kClearlyBetter = 0.1;  // in evidence, than the pose that was given
 // The shutter's time is learned in one of so many frames, of motions that blur enough.
 constexpr std::uint32_t kTellingFrames = 3;
 constexpr double kTellingMotion_px = 2.0;
@@ -70,7 +72,7 @@ double confirmation_of(const Refiner::Result& result, double chance) {
 class DefaultTracker final : public PoseFilterTracker {
  public:
   DefaultTracker(const TrackerSetup& setup, const UniversalTrackerOptions& options)
-      : DefaultTracker(setup, options, drawing_of(setup, options)) {}
+      : DefaultTracker(setup, options, quick_drawing_of(setup, options)) {}
 
   DefaultTracker(const TrackerSetup& setup, const UniversalTrackerOptions& options,
                  const ScorerSetup& drawing)
@@ -83,7 +85,7 @@ class DefaultTracker final : public PoseFilterTracker {
                 setup.mesh->radius_mm()),
         motion_(options.sigma_mm, options.sigma_deg * kDegree) {
     filter_.set_region_cue(region_);
-    if (setup.mesh->triangles().size() < kLargeModel) {
+    if (drawing.mesh->triangles().size() < kLargeModel) {
       exact_ = std::make_unique<ExactContour>(drawing);
     }
   }
@@ -202,6 +204,13 @@ class DefaultTracker final : public PoseFilterTracker {
   }
 
  private:
+  static ScorerSetup quick_drawing_of(const TrackerSetup& setup,
+                                      const UniversalTrackerOptions& options) {
+    ScorerSetup drawing = drawing_of(setup, options);
+    drawing.mesh = simplified(std::move(drawing.mesh), kDrawnTriangles);
+    return drawing;
+  }
+
   bool supported_as_usual(const Refiner::Result& result, double demand = 1) const {
     return result.support >= demand * kSure * usual_support_;
   }
