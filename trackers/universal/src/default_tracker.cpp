@@ -240,6 +240,7 @@ class DefaultTracker final : public PoseFilterTracker {
       const Refiner::Result found =
           search_.run(wider, {appearance, weight}, random, camera().fx_px);
       if (likelihood(found) > likelihood(best)) best = found;
+      best = search_.hop_from(best, expected_, appearance, random, camera().fx_px);
       wider.sigma *= 2.0;
     }
     if (bad_frames() == 0 && likelihood(best) < likelihood(refined) + kGain) {

@@ -25,13 +25,7 @@ void PoseFilter::predict(std::span<Pose> states, const RandomKey& key) {
   workers_.each(states.size(), kStatesPerTask, [&](std::size_t i) {
     RandomKey own = key;
     own.particle = static_cast<std::uint32_t>(i);
-    Twist noise;
-    for (std::uint32_t pair = 0; pair < 3; ++pair) {
-      const auto normals = random_normals(own, pair);
-      noise[2 * pair] = normals[0];
-      noise[2 * pair + 1] = normals[1];
-    }
-    const Twist twist = layer_.drift + layer_.diffusion * noise;
+    const Twist twist = layer_.drift + layer_.diffusion * random_twist(own);
     states[i] = moved(states[i], twist);
   });
   if (layer_.incumbent) states[0] = *layer_.incumbent;

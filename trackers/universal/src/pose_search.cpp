@@ -14,9 +14,12 @@ constexpr double kSurvivalRate = 0.25;  // of particles, from layer to layer
 constexpr double kNarrowing = 0.6;      // of the particles' spread, from layer to layer
 constexpr double kExpectation = 0.1;    // weight of the motion model beside the image
 constexpr double kLeastSpread_px = 0.15;
-constexpr std::size_t kStarts = 6;   // particles of the first layer that are refined
+constexpr std::size_t kStarts = 4;   // particles of the first layer that are refined
 constexpr double kApart_rad = 0.07;  // of starts: turn, and shift in radii of the object
 constexpr double kReach_px = 10.0;
+constexpr std::uint32_t kHops = 12, kRounds = 2;  // hops of a round start at the same pose
+constexpr double kHop_px = 6.0, kHopReach_px = 6.0;
+constexpr std::uint32_t kHopLayer = 1000;  // of random numbers: behind those of all layers
 
 }  // namespace
 
@@ -70,6 +73,44 @@ Refiner::Result PoseSearch::run(const Expectation& expected, const Colours& colo
   return best;
 }
 
+Refiner::Result PoseSearch::hop_from(const Refiner::Result& start, const Expectation& expected,
+                                     const Appearance& appearance, RandomKey key, double focal_px) {
+  const Pose expected_pose = filter_.to_object(expected.camera_from_center);
+  const auto value_of = [&](const Refiner::Result& result) {
+    return result.evidence() - expected.strangeness(filter_.to_center(result.camera_from_object));
+  };
+  Refiner::Result best = start;
+  found_.resize(kHops);
+  for (std::uint32_t round = 0; round < kRounds; ++round) {
+    key.layer = kHopLayer + round;
+    const Pose here = filter_.to_center(best.camera_from_object);
+    workers_.each(kHops, 1, [&](std::size_t i) {
+      RandomKey own = key;
+      own.particle = static_cast<std::uint32_t>(i);
+      found_[i] = refiner_.refine(filter_.to_object(beside(here, own, focal_px)), expected_pose,
+                                  kHopReach_px, appearance);
+    });
+    for (const Refiner::Result& found : found_) {
+      if (value_of(found) > value_of(best)) best = found;
+    }
+  }
+  return best;
+}
+
+Pose PoseSearch::beside(const Pose& camera_from_center, const RandomKey& key,
+                        double focal_px) const {
+  const double hop_mm = kHop_px * mm_per_px(camera_from_center, focal_px);
+  // Turns of a hop at the object's farthest point; shifts along the line of sight hardly show.
+  const Twist sigma = (Twist() << Eigen::Vector3d::Constant(hop_mm / radius_mm_), 0.5 * hop_mm,
+                       0.5 * hop_mm, 1.5 * hop_mm)
+                          .finished();
+  return moved(camera_from_center, sigma.cwiseProduct(random_twist(key)));
+}
+
+double PoseSearch::mm_per_px(const Pose& camera_from_center, double focal_px) {
+  return std::abs(camera_from_center.translation_mm.z()) / focal_px;
+}
+
 void PoseSearch::collect_starts() {
   const auto states = filter_.states();
   const auto weights = filter_.weights();
@@ -88,7 +129,7 @@ void PoseSearch::collect_starts() {
 }
 
 Eigen::Matrix<double, 6, 6> PoseSearch::narrowed_spread(const Pose& mean, double focal_px) const {
-  const double least_mm = kLeastSpread_px * std::abs(mean.translation_mm.z()) / focal_px;
+  const double least_mm = kLeastSpread_px * mm_per_px(mean, focal_px);
   const double least_rad = least_mm / radius_mm_;
   Eigen::Matrix<double, 6, 6> covariance = kNarrowing * kNarrowing * filter_.covariance(mean);
   for (int i = 0; i < 3; ++i) {

@@ -2,6 +2,7 @@
 // Copyright (c) 2026 The Anneal6D authors
 #pragma once
 
+#include <cmath>
 #include <vector>
 
 #include "anneal6d/framework/pose_scorer.h"
@@ -18,15 +19,20 @@ struct Expectation {
   Twist sigma = Twist::Ones();
 
   /// Evidence that a pose (camera_from_center) loses for being far from what was expected: decides
-  /// between poses that look the same.
+  /// between poses that look the same. As Student's t has it: a motion three times as large as
+  /// expected is not nine times as strange.
   double strangeness(const Pose& pose) const {
-    constexpr double kEach = 0.004;  // squared deviation
-    return kEach * twist_between(camera_from_center, pose).cwiseQuotient(sigma).squaredNorm();
+    constexpr double kWeight = 0.1, kFreedom = 8;
+    const double squared_deviation =
+        twist_between(camera_from_center, pose).cwiseQuotient(sigma).squaredNorm();
+    return kWeight * std::log1p(squared_deviation / kFreedom);
   }
 };
 
 /// Looks for the object with an annealed particle filter: layers of particles, rated by edges and
-/// colours, close in on the best basins, and the refinement finds the bottom of each.
+/// colours, close in on the best basins, and the refinement finds the bottom of each. Where
+/// something hides a part of the object, particles are led off by a few pixels, and among clutter
+/// basins are not wider than that: from the best of them hops may lead on to a better one.
 class PoseSearch {
  public:
   struct Effort {
@@ -48,7 +54,16 @@ class PoseSearch {
   Refiner::Result run(const Expectation& expected, const Colours& colours, RandomKey key,
                       double focal_px);
 
+  /// Hops from basin to basin (Wales and Doye, J. Phys. Chem. A 1997; never to a worse one): poses
+  /// a few pixels beside the best one are refined. Returns the best that is found, or what was
+  /// given.
+  Refiner::Result hop_from(const Refiner::Result& start, const Expectation& expected,
+                           const Appearance& appearance, RandomKey key, double focal_px);
+
  private:
+  static double mm_per_px(const Pose& camera_from_center, double focal_px);
+  /// A pose a few pixels beside another; `key` decides which.
+  Pose beside(const Pose& camera_from_center, const RandomKey& key, double focal_px) const;
   /// The best particles that differ from each other.
   void collect_starts();
   /// Factor of a share of the particles' covariance, no narrower than a fraction of a pixel.
@@ -60,7 +75,7 @@ class PoseSearch {
   Effort effort_;
   double radius_mm_;
   std::vector<Pose> starts_;
-  std::vector<Refiner::Result> found_;  ///< from each start
+  std::vector<Refiner::Result> found_;  ///< from each start, or by each hop
   std::vector<std::size_t> order_;
 };
 

@@ -3,8 +3,10 @@
 #pragma once
 
 #include <Eigen/Core>
+#include <cstdint>
 
 #include "anneal6d/framework/pose.h"
+#include "anneal6d/framework/random.h"
 
 namespace anneal6d {
 
@@ -29,6 +31,17 @@ inline Twist twist_between(const Pose& from, const Pose& to) {
 /// by and large, mm.
 inline double displacement_mm(const Twist& twist, double radius_mm) {
   return twist.head<3>().norm() * radius_mm + twist.tail<3>().norm();
+}
+
+/// Six independent standard normals.
+inline Twist random_twist(const RandomKey& key) {
+  Twist twist;
+  for (std::uint32_t pair = 0; pair < 3; ++pair) {
+    const auto normals = random_normals(key, pair);
+    twist[2 * pair] = normals[0];
+    twist[2 * pair + 1] = normals[1];
+  }
+  return twist;
 }
 
 }  // namespace anneal6d

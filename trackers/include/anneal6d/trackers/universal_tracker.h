@@ -36,7 +36,7 @@ struct UniversalTrackerOptions {
   UniversalMode mode = UniversalMode::standard;  ///< "mode": thesis | default
   std::string scorer = "sparse";                 ///< "scorer": a name of the scorer table
   int particles = 200;                           ///< "particles": a layer, 1..100000
-  int layers = 10;                               ///< "layers": a frame, 1..100
+  int layers = 6;                                ///< "layers": a frame, 1..100
   /// Of the thesis's mode: "annealing" (thesis | geometric), "annealing-ratio" (0..1, of the
   /// geometric rule), "drift" (on | off: start at the last motion, as Alg. 3 has it; off by
   /// default, since on a random walk it doubles the noise).
