@@ -1,0 +1,128 @@
+// SPDX-License-Identifier: BSD-3-Clause
+// Copyright (c) 2026 The Anneal6D authors
+#include "pose_search.h"
+
+#include <gtest/gtest.h>
+
+#include <cmath>
+#include <opencv2/imgproc.hpp>
+
+#include "synthetic.h"
+
+namespace anneal6d {
+namespace {
+
+using test::beside;
+
+class NoScorer final : public PoseScorer {
+ public:
+  void set_edges(const EdgeImage& /*edges*/) override {}
+  void score(std::span<const Pose> /*camera_from_object*/,
+             std::span<EdgeMatch> /*matches*/) override {}
+};
+
+/// A box before a fence of slats, a board in front of a third of it.
+class HoppingOnABoxAmongClutter : public testing::Test {
+ protected:
+  HoppingOnABoxAmongClutter() {
+    refiner_.set_image(image_, {0, 0, image_.cols, image_.rows});
+    expected_.camera_from_center = filter_.to_center(truth_);
+    expected_.sigma << Eigen::Vector3d::Constant(6 * test::kDegree), 10, 10, 10;
+  }
+
+  static cv::Mat picture(const RasterModel& model, const CameraModel& camera, const Pose& pose) {
+    cv::Mat image = test::photograph(model, camera, pose, 120, 1.0);
+    const cv::Mat background = test::draw(model, camera, pose).depth_mm == 0;
+    cv::Mat slats = image.clone();
+    for (int x = -200; x < image.cols; x += 22) {
+      cv::line(slats, {x, 0}, {x + 150, image.rows}, cv::Scalar(x % 4 == 0 ? 60 : 200), 6,
+               cv::LINE_AA);
+    }
+    slats.copyTo(image, background);
+    const int middle = static_cast<int>(camera.cx_px);
+    cv::rectangle(image, {middle + 10, 0, 60, image.rows}, cv::Scalar(150), cv::FILLED);
+    return image;
+  }
+
+  /// Ten pixels or so beside the truth.
+  Pose start(std::uint32_t i) const {
+    const Twist noise = random_twist({.seed = 5, .particle = i});
+    return beside(mesh(), truth_, 4.0 * noise.head<3>(), 4.0 * noise.tail<3>());
+  }
+  const TriangleMesh& mesh() const { return *model_.mesh; }
+
+  Refiner::Result hop(const Refiner::Result& from, std::uint32_t i = 0) {
+    return search_.hop_from(from, expected_, appearance_, {.seed = 3, .frame = i}, camera_.fx_px);
+  }
+
+  const CameraModel camera_ = test::small_camera().scaled(2);
+  const Pose truth_ = test::corner_view();
+  const RasterModel model_{test::make_box(90, 60, 75), false};
+  const ViewModel views_ = test::views_near(model_, truth_);
+  const cv::Mat image_ = picture(model_, camera_, truth_);
+  const Appearance appearance_{1};
+  NoScorer scorer_;
+  Refiner refiner_{views_, camera_, test::workers()};
+  PoseFilter filter_{scorer_, {}, model_.mesh->center_mm().cast<double>(), test::workers()};
+  PoseSearch search_{filter_, refiner_, test::workers(), {1, 1}, model_.mesh->radius_mm()};
+  Expectation expected_;
+};
+
+TEST_F(HoppingOnABoxAmongClutter, LeadsOutOfFalseBasins) {
+  const auto found = [&](const Refiner::Result& result) {
+    return test::center_distance_mm(mesh(), result.camera_from_object, truth_) < 2 &&
+           test::angle_deg(result.camera_from_object, truth_) < 1;
+  };
+  int refined = 0, hopped = 0;
+  for (std::uint32_t i = 0; i < 20; ++i) {
+    const Refiner::Result first = refiner_.refine(start(i), truth_, 10, appearance_);
+    refined += found(first);
+    const Refiner::Result then = hop(first, i);
+    hopped += found(then);
+    const auto value = [&](const Refiner::Result& result) {
+      return result.evidence() -
+             expected_.strangeness(filter_.to_center(result.camera_from_object));
+    };
+    EXPECT_GE(value(then), value(first)) << i;
+  }
+  EXPECT_LE(refined, 12) << "too easy to show anything";
+  EXPECT_GE(hopped, 15);
+}
+
+TEST_F(HoppingOnABoxAmongClutter, StaysWhereNothingIsBetter) {
+  Refiner::Result best = refiner_.refine(truth_, truth_, 3, appearance_);
+  best.support = best.fit = 1;
+  const Refiner::Result stayed = hop(best);
+  EXPECT_EQ(test::angle_deg(stayed.camera_from_object, best.camera_from_object), 0);
+  EXPECT_EQ(stayed.camera_from_object.translation_mm, best.camera_from_object.translation_mm);
+}
+
+TEST_F(HoppingOnABoxAmongClutter, IsTheSameOnAnyNumberOfThreads) {
+  const Refiner::Result first = refiner_.refine(start(1), truth_, 10, appearance_);
+  const Pose alone = hop(first).camera_from_object;
+  Workers three(3);
+  PoseSearch search(filter_, refiner_, three, {1, 1}, mesh().radius_mm());
+  const Pose together =
+      search.hop_from(first, expected_, appearance_, {.seed = 3}, camera_.fx_px).camera_from_object;
+  EXPECT_EQ(alone.translation_mm, together.translation_mm);
+  EXPECT_EQ(alone.rotation.coeffs(), together.rotation.coeffs());
+}
+
+// A motion three times as large as expected is strange, but not nine times as strange.
+TEST(Strangeness, GrowsSlowerFarOut) {
+  Expectation expected;
+  expected.sigma.setConstant(2);
+  const auto of = [&](double mm) {
+    Pose pose;
+    pose.translation_mm.x() = mm;
+    return expected.strangeness(pose);
+  };
+  EXPECT_EQ(of(0), 0);
+  EXPECT_GT(of(2), 0);
+  EXPECT_GT(of(8), of(4));
+  EXPECT_LT(of(30), 4 * of(10));
+  EXPECT_NEAR(of(4) / of(2), 4, 0.7);
+}
+
+}  // namespace
+}  // namespace anneal6d
