@@ -3,7 +3,6 @@
 #include "pose_search.h"
 
 #include <algorithm>
-#include <limits>
 #include <numeric>
 
 namespace anneal6d {
@@ -61,24 +60,13 @@ Refiner::Result PoseSearch::run(const Expectation& expected, const Colours& colo
     found_[i] = refiner_.refine(filter_.to_object(starts_[i]), expected_pose, kReach_px,
                                 colours.appearance);
   });
-  Refiner::Result best;
-  double best_value = -std::numeric_limits<double>::infinity();
-  for (const Refiner::Result& found : found_) {
-    const double value =
-        found.evidence() - expected.strangeness(filter_.to_center(found.camera_from_object));
-    if (value <= best_value) continue;
-    best_value = value;
-    best = found;
-  }
-  return best;
+  return *std::ranges::max_element(
+      found_, {}, [&](const Refiner::Result& found) { return likelihood(found, expected); });
 }
 
 Refiner::Result PoseSearch::hop_from(const Refiner::Result& start, const Expectation& expected,
                                      const Appearance& appearance, RandomKey key, double focal_px) {
   const Pose expected_pose = filter_.to_object(expected.camera_from_center);
-  const auto value_of = [&](const Refiner::Result& result) {
-    return result.evidence() - expected.strangeness(filter_.to_center(result.camera_from_object));
-  };
   Refiner::Result best = start;
   found_.resize(kHops);
   for (std::uint32_t round = 0; round < kRounds; ++round) {
@@ -91,10 +79,14 @@ Refiner::Result PoseSearch::hop_from(const Refiner::Result& start, const Expecta
                                   kHopReach_px, appearance);
     });
     for (const Refiner::Result& found : found_) {
-      if (value_of(found) > value_of(best)) best = found;
+      if (likelihood(found, expected) > likelihood(best, expected)) best = found;
     }
   }
   return best;
+}
+
+double PoseSearch::likelihood(const Refiner::Result& result, const Expectation& expected) const {
+  return result.evidence() - expected.strangeness(filter_.to_center(result.camera_from_object));
 }
 
 Pose PoseSearch::beside(const Pose& camera_from_center, const RandomKey& key,

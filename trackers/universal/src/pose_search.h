@@ -61,6 +61,7 @@ class PoseSearch {
                            const Appearance& appearance, RandomKey key, double focal_px);
 
  private:
+  double likelihood(const Refiner::Result& result, const Expectation& expected) const;
   static double mm_per_px(const Pose& camera_from_center, double focal_px);
   /// A pose a few pixels beside another; `key` decides which.
   Pose beside(const Pose& camera_from_center, const RandomKey& key, double focal_px) const;

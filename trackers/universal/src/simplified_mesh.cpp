@@ -21,13 +21,14 @@ bool has_colours_within_triangles(const TriangleMesh& mesh) {
   });
 }
 
-/// As many triangles as before, whose vertices differ in more than their normals, which would hold
-/// faces together as little as a seam of the texture does.
+/// Triangles by three entries of `corners` each.
 struct IndexedTriangles {
   std::vector<MeshVertex> vertices;
   std::vector<std::uint32_t> corners;
 };
 
+/// The mesh on vertices that differ in more than their normals: where two differed in those alone,
+/// faces would not hang together, as at a seam of the texture.
 IndexedTriangles without_normals(const TriangleMesh& mesh) {
   std::vector<MeshVertex> all(mesh.vertices().begin(), mesh.vertices().end());
   for (std::size_t i = 0; i < all.size(); ++i) {
