@@ -79,11 +79,7 @@ TEST_F(HoppingOnABoxAmongClutter, LeadsOutOfFalseBasins) {
     refined += found(first);
     const Refiner::Result then = hop(first, i);
     hopped += found(then);
-    const auto value = [&](const Refiner::Result& result) {
-      return result.evidence() -
-             expected_.strangeness(filter_.to_center(result.camera_from_object));
-    };
-    EXPECT_GE(value(then), value(first)) << i;
+    EXPECT_GE(search_.likelihood(then, expected_), search_.likelihood(first, expected_)) << i;
   }
   EXPECT_LE(refined, 12) << "too easy to show anything";
   EXPECT_GE(hopped, 15);

@@ -6,11 +6,11 @@
 
 #include <Eigen/Geometry>
 #include <cmath>
-#include <map>
 #include <memory>
 #include <numbers>
-#include <utility>
+#include <span>
 
+#include "mesh_sides.h"
 #include "tracking.h"
 
 namespace anneal6d {
@@ -18,34 +18,15 @@ namespace {
 
 using test::SharedMesh;
 
-/// How many triangles have an edge, by how many edges have so many; by place, not by vertex.
-std::map<int, int> sides_of_edges(const TriangleMesh& mesh) {
-  std::map<std::pair<std::uint32_t, std::uint32_t>, int> sides;
-  for (const Triangle& triangle : mesh.triangles()) {
-    for (std::size_t i = 0; i < 3; ++i) {
-      const auto a = mesh.welded()[triangle[i]], b = mesh.welded()[triangle[(i + 1) % 3]];
-      ++sides[std::minmax(a, b)];
-    }
-  }
-  std::map<int, int> counts;
-  for (const auto& [edge, count] : sides) ++counts[count];
-  return counts;
-}
-
 /// Every triangle with vertices of its own, as in STL files.
 SharedMesh torn(const TriangleMesh& mesh) {
   std::vector<MeshVertex> vertices;
   std::vector<Triangle> triangles;
   for (const Triangle& triangle : mesh.triangles()) {
     const auto first = static_cast<std::uint32_t>(vertices.size());
-    const Eigen::Vector3f normal =
-        (mesh.vertices()[triangle[1]].position_mm - mesh.vertices()[triangle[0]].position_mm)
-            .cross(mesh.vertices()[triangle[2]].position_mm -
-                   mesh.vertices()[triangle[0]].position_mm)
-            .normalized();
     for (const std::uint32_t corner : triangle) {
       vertices.push_back(mesh.vertices()[corner]);
-      vertices.back().normal = normal;
+      vertices.back().normal = normal_of(mesh, triangle).cast<float>();
     }
     triangles.push_back({first, first + 1, first + 2});
   }
@@ -63,9 +44,9 @@ TEST(SimplifiedMesh, KeepsASmoothSurface) {
     const auto simple = simplified(mesh, 8000);
     EXPECT_LE(simple->triangles().size(), 8000U);
     EXPECT_GT(simple->triangles().size(), 7000U);
-    for (const auto& [sides, edges] : sides_of_edges(*simple)) {  // closed, as it was
-      EXPECT_EQ(sides % 2, 0) << edges << " edges";
-    }
+    for_each_edge(sides_of(*simple), [](std::span<const MeshSide> sides) {
+      EXPECT_EQ(sides.size() % 2, 0U) << "no longer closed";
+    });
     const auto off_mm = [](const Eigen::Vector3f& p) {
       return std::abs(std::hypot(std::hypot(p.x(), p.y()) - 40, p.z()) - 15);
     };
@@ -122,17 +103,13 @@ TEST(SimplifiedMesh, KeepsTheTextureWhereItIs) {
 }
 
 TEST(SimplifiedMesh, KeepsColoursBetweenTriangles) {
-  std::vector<MeshVertex> vertices;
-  std::vector<Triangle> triangles;
-  const SharedMesh torus = test::make_torus(40, 15, 60);
+  const SharedMesh torus = torn(*test::make_torus(40, 15, 60));
+  std::vector<MeshVertex> vertices(torus->vertices().begin(), torus->vertices().end());
   for (const Triangle& triangle : torus->triangles()) {
-    const bool left = torus->vertices()[triangle[0]].position_mm.x() < 0;
-    const auto first = static_cast<std::uint32_t>(vertices.size());
+    const bool left = vertices[triangle[0]].position_mm.x() < 0;
     for (const std::uint32_t corner : triangle) {
-      vertices.push_back(torus->vertices()[corner]);
-      vertices.back().albedo_bgr.setConstant(left ? 0.3F : 0.7F);
+      vertices[corner].albedo_bgr.setConstant(left ? 0.3F : 0.7F);
     }
-    triangles.push_back({first, first + 1, first + 2});
   }
   const auto area_mm2 = [](const TriangleMesh& mesh, float albedo) {
     double sum = 0;
@@ -145,7 +122,7 @@ TEST(SimplifiedMesh, KeepsColoursBetweenTriangles) {
     }
     return sum;
   };
-  const TriangleMesh two_colours(vertices, triangles);
+  const TriangleMesh two_colours(vertices, {torus->triangles().begin(), torus->triangles().end()});
   const auto simple = simplified(std::make_shared<const TriangleMesh>(two_colours), 4000);
   ASSERT_LT(simple->triangles().size(), 5000U);
   for (const float albedo : {0.3F, 0.7F}) {

@@ -204,11 +204,9 @@ class DefaultTracker final : public PoseFilterTracker {
   }
 
  private:
-  static ScorerSetup quick_drawing_of(const TrackerSetup& setup,
-                                      const UniversalTrackerOptions& options) {
-    ScorerSetup drawing = drawing_of(setup, options);
-    drawing.mesh = simplified(std::move(drawing.mesh), kDrawnTriangles);
-    return drawing;
+  static ScorerSetup quick_drawing_of(TrackerSetup setup, const UniversalTrackerOptions& options) {
+    setup.mesh = simplified(std::move(setup.mesh), kDrawnTriangles);
+    return drawing_of(setup, options);
   }
 
   bool supported_as_usual(const Refiner::Result& result, double demand = 1) const {
@@ -383,7 +381,7 @@ class DefaultTracker final : public PoseFilterTracker {
   }
 
   double likelihood(const Refiner::Result& result) const {
-    return result.evidence() - strangeness(result);
+    return search_.likelihood(result, expected_);
   }
 
   double strangeness(const Refiner::Result& result) const {

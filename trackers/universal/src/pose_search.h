@@ -49,7 +49,11 @@ class PoseSearch {
     double weight = 0;  ///< beside the edges, as the rating's c
   };
 
-  /// The best refined pose. `key` decides the random numbers, but for its layer. `focal_px`
+  /// What tells the right one of several refined poses: evidence, less what is lost for
+  /// strangeness.
+  double likelihood(const Refiner::Result& result, const Expectation& expected) const;
+
+  /// The likeliest refined pose. `key` decides the random numbers, but for its layer. `focal_px`
   /// translates pixels to millimetres.
   Refiner::Result run(const Expectation& expected, const Colours& colours, RandomKey key,
                       double focal_px);
@@ -61,7 +65,6 @@ class PoseSearch {
                            const Appearance& appearance, RandomKey key, double focal_px);
 
  private:
-  double likelihood(const Refiner::Result& result, const Expectation& expected) const;
   static double mm_per_px(const Pose& camera_from_center, double focal_px);
   /// A pose a few pixels beside another; `key` decides which.
   Pose beside(const Pose& camera_from_center, const RandomKey& key, double focal_px) const;
