@@ -8,6 +8,7 @@
 
 #include "refiner.h"
 #include "synthetic.h"
+#include "view_painter.h"
 
 namespace anneal6d {
 namespace {
@@ -114,7 +115,7 @@ TEST(EdgesOfAMovedCylinder, MoveAcrossThemselvesAsItsPointsDo) {
   const CameraModel camera = test::small_camera();
   const ViewModel views = test::views_near(model, oblique());
   const cv::Mat image = test::photograph(model, camera, oblique(), 20, 1.0);
-  ContourMatch match({image, {}}, camera, views.center_mm());
+  ContourMatch match({image, {}}, camera, views.center_mm(), 1);
   ASSERT_GT(match.project(oblique(), views.seen_from(oblique()), 200), 50U);
   Twist motion;
   motion << 0.004, -0.006, 0.01, 0.5, 0.8, -1.0;
@@ -137,11 +138,43 @@ TEST(EdgesOfAMovedCylinder, MoveAcrossThemselvesAsItsPointsDo) {
   EXPECT_GT(outlines, 20U);
 }
 
+/// How much shading edges say there is more than `located_with`, at a pose beside the true one.
+double more_shading(const Shading& light, double located_with, const Twist& beside) {
+  const RasterModel model(test::make_cylinder(110, 30, 64), false);
+  const CameraModel camera = test::small_camera().scaled(2);
+  const cv::Mat image = test::photograph(model, camera, oblique(), 20, 0, 0, light);
+  const Pose pose = moved(oblique(), beside);
+  ViewPainter painter(model, {.threshold = 40}, Shading{}, camera);
+  const ModelView view = painter.paint_contour(pose, 360, 0, test::workers());
+  ContourMatch match({image, {}}, camera, model.mesh->center_mm().cast<double>(), located_with);
+  EXPECT_GT(match.project(pose, view, 360), 100U);
+  const ShadingEvidence evidence = match.shading_evidence(1, Appearance(1));
+  EXPECT_GT(evidence.information_px2, 0.01);
+  return evidence.left_px2 / evidence.information_px2;
+}
+
+TEST(WhatEdgesSayOfShading, DependsOnTheLight) {
+  const double from_camera = more_shading({}, 0, Twist::Zero());
+  const double from_all_around = more_shading({.ambient = 0.9F, .diffuse = 0}, 0, Twist::Zero());
+  EXPECT_NEAR(from_all_around, 0, 0.3);
+  EXPECT_GT(from_camera, from_all_around + 0.5);
+}
+
+TEST(WhatEdgesSayOfShading, IsWhatWasNotAllowedFor) {
+  EXPECT_NEAR(more_shading({}, 0.6, Twist::Zero()), more_shading({}, 0, Twist::Zero()) - 0.6, 0.1);
+}
+
+TEST(WhatEdgesSayOfShading, IsNotWhatAMotionOfTheObjectExplains) {
+  Twist beside;
+  beside << 0.001, -0.001, 0.001, 0.1, -0.1, 0.6;
+  EXPECT_NEAR(more_shading({}, 0.2, beside), more_shading({}, 0.2, Twist::Zero()), 0.15);
+}
+
 // As where the object is outside the image.
 TEST(AMatchWithoutASingleStep, LeavesEverythingOpen) {
   const cv::Mat nothing;
   const CameraModel camera = test::small_camera();
-  const ContourMatch match({nothing, {}}, camera, Eigen::Vector3d::Zero());
+  const ContourMatch match({nothing, {}}, camera, Eigen::Vector3d::Zero(), 1);
   const Eigen::Matrix<double, 6, 6> unseen = match.unseen();
   EXPECT_TRUE(unseen.isIdentity(1e-9)) << unseen;
   EXPECT_TRUE(match.error_px2().isZero());

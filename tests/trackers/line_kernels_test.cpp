@@ -187,7 +187,7 @@ TEST_P(SampledLines, ShowTheSameEdgesOnEveryInstructionSetAlone) {
 INSTANTIATE_TEST_SUITE_P(GreyAndColour, SampledLines, testing::Values(1, 3));
 
 /// Where the edge is found of an object that fades towards its outline, in pixels behind that.
-float edge_of_faded_object(int background, const float* shading_px) {
+float edge_of_faded_object(int background, const float* shading_px, float share = 1) {
   constexpr int kOutside = 24;  // the first column of the background
   cv::Mat picture(16, 48, CV_8UC1, cv::Scalar(background));
   for (int x = 0; x < kOutside; ++x) {
@@ -203,6 +203,7 @@ float edge_of_faded_object(int background, const float* shading_px) {
   lines.polarity[0] = 0;
   LineJob job = lines.job(picture, 3, 0);
   job.shading_px = shading_px;
+  job.shading_share = share;
   Lines::Row offset{}, strength{}, agreement{};
   find_strongest(job, {offset.data(), strength.data(), agreement.data()});
   EXPECT_GT(strength[0], 0) << "no edge before " << background;
@@ -218,6 +219,8 @@ TEST(EdgesOfAShadedObject, AreNearerToWhereItEndsBeforeAnyBackground) {
     const float found_px = edge_of_faded_object(background, nullptr);
     const float told_px = edge_of_faded_object(background, shading_px.data());
     EXPECT_LT(std::abs(told_px), 0.6F * std::abs(found_px)) << background;
+    const float half_told_px = edge_of_faded_object(background, shading_px.data(), 0.5F);
+    EXPECT_NEAR(half_told_px, 0.5F * (told_px + found_px), 1e-5F) << background;
   }
 }
 

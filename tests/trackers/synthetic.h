@@ -110,11 +110,11 @@ struct Drawing {
 };
 
 inline Drawing draw(const RasterModel& model, const CameraModel& camera, const Pose& pose,
-                    int margin_px = 2) {
+                    int margin_px = 2, const Shading& shading = {}) {
   Drawing drawing;
   drawing.grey = cv::Mat::zeros(camera.height_px, camera.width_px, CV_8UC1);
   drawing.depth_mm = cv::Mat::zeros(camera.height_px, camera.width_px, CV_32FC1);
-  Rasterizer rasterizer(model, camera, Shading{});
+  Rasterizer rasterizer(model, camera, shading);
   const Region region = drawing.region = rasterizer.draw(pose, margin_px);
   if (region.empty()) return drawing;
   cv::Mat grey, depth_mm;
@@ -129,8 +129,9 @@ inline Drawing draw(const RasterModel& model, const CameraModel& camera, const P
 /// within each pixel, and encoded; for levels of 11 and more. `noise`: standard deviation in grey
 /// levels; `frame` varies it.
 inline cv::Mat photograph(const RasterModel& model, const CameraModel& camera, const Pose& pose,
-                          int background = 60, double noise = 0, int frame = 0) {
-  Drawing dense = draw(model, camera.scaled(4), pose);
+                          int background = 60, double noise = 0, int frame = 0,
+                          const Shading& shading = {}) {
+  Drawing dense = draw(model, camera.scaled(4), pose, 2, shading);
   dense.grey.setTo(background, dense.depth_mm == 0);
   const auto levels = srgb_light_table();
   cv::Mat light, mixed, encoded;

@@ -3,6 +3,7 @@
 #include <gtest/gtest.h>
 
 #include <algorithm>
+#include <cmath>
 #include <string>
 
 #include "tracking.h"
@@ -59,6 +60,28 @@ TEST(UniversalTrackerOfABowl, IsUnsureOfItsTurnUnlessItIsKnownToBeRound) {
     EXPECT_LT(any[i].quality, any[i - 1].quality + 0.05) << "frame " << i;
   }
   EXPECT_LT(any.back().quality, 0.6);
+}
+
+/// Mean error along the line of sight of the last frames of a moving cylinder, millimetres.
+double depth_error_mm(const Shading& light) {
+  const SharedMesh cylinder = test::make_cylinder(110, 30, 64);
+  const Sequence sequence = test::moving_sequence(cylinder, 16, 40, light);
+  const auto tracker =
+      make_plugin(tracker_plugins(), "tracker", "universal", test::setup_for(cylinder, {}));
+  const auto results = test::track(*tracker, sequence);
+  double sum_mm = 0;
+  constexpr std::size_t kLearning = 6;
+  for (std::size_t i = kLearning; i < results.size(); ++i) {
+    sum_mm +=
+        results[i].camera_from_object.translation_mm.z() - sequence.truth[i].translation_mm.z();
+  }
+  return sum_mm / static_cast<double>(results.size() - kLearning);
+}
+
+// The drawing is lit from the camera.
+TEST(UniversalTrackerOfACylinder, LearnsHowItIsLit) {
+  EXPECT_NEAR(depth_error_mm({}), 0, 0.2);
+  EXPECT_NEAR(depth_error_mm({.ambient = 0.9F, .diffuse = 0.0F}), 0, 0.2);
 }
 
 // A pose that was told by eye is several pixels and degrees off.

@@ -38,7 +38,8 @@ struct Sequence {
   std::vector<Pose> truth;
 };
 
-inline Sequence moving_sequence(const SharedMesh& mesh, int frames, int background = 40) {
+inline Sequence moving_sequence(const SharedMesh& mesh, int frames, int background = 40,
+                                const Shading& shading = {}) {
   Sequence sequence;
   const RasterModel model(mesh, false);
   Pose start = corner_view();
@@ -49,7 +50,7 @@ inline Sequence moving_sequence(const SharedMesh& mesh, int frames, int backgrou
                              {12 * t, 10 * std::sin(t), 15 * (1 - std::cos(t))});
     sequence.truth.push_back(pose);
     sequence.frames.push_back(
-        frame_of(photograph(model, small_camera(), pose, background, 1.5, i), i));
+        frame_of(photograph(model, small_camera(), pose, background, 1.5, i, shading), i));
   }
   return sequence;
 }

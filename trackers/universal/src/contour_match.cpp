@@ -16,15 +16,19 @@ namespace anneal6d {
 namespace {
 
 constexpr int kConfirmingLine_px = 4;
-constexpr double kDoubt = 5;  // how much larger feigned shares may be than is assumed for steps
+constexpr double kRidge = 1e-4;  // of a normal matrix, where a motion does not show
+constexpr double kDoubt = 5;     // how much larger feigned shares may be than is assumed for steps
 
 float squared(float x) { return x * x; }
 
 }  // namespace
 
 ContourMatch::ContourMatch(const SmoothPicture& picture, const CameraModel& camera,
-                           const Eigen::Vector3d& center_mm)
-    : picture_(picture), camera_(camera), center_mm_(center_mm) {}
+                           const Eigen::Vector3d& center_mm, double shading_share)
+    : picture_(picture),
+      camera_(camera),
+      center_mm_(center_mm),
+      shading_share_(static_cast<float>(shading_share)) {}
 
 std::size_t ContourMatch::project(const Pose& camera_from_object, const ModelView& view,
                                   std::size_t most_points) {
@@ -73,6 +77,7 @@ void ContourMatch::reserve(std::size_t most_points) {
     candidates_.weight[k] = row();
     candidates_.log_score[k] = row();
   }
+  candidates_.whole_shading_px = row();
 }
 
 LineJob ContourMatch::lines(int reach_px, const Appearance* appearance) const {
@@ -86,6 +91,7 @@ LineJob ContourMatch::lines(int reach_px, const Appearance* appearance) const {
   job.outside_px = points_.outside_px;
   job.polarity = points_.polarity;
   job.shading_px = points_.shading_px;
+  job.shading_share = shading_share_;
   if (blurred_) job.blur_px = moved_px_;
   if (appearance && appearance->learned()) job.log_odds = appearance->log_odds();
   return job;
@@ -96,18 +102,20 @@ std::size_t ContourMatch::silhouettes() const {
                                                 [](float inside_px) { return inside_px >= 0; }));
 }
 
+Eigen::Matrix<float, 6, 1> ContourMatch::jacobian(std::size_t point) const {
+  const Eigen::Vector3f at(points_.camera_x[point], points_.camera_y[point],
+                           points_.camera_z[point]);
+  const float x_px = static_cast<float>(camera_.fx_px) * points_.normal_x[point] / at.z();
+  const float y_px = static_cast<float>(camera_.fy_px) * points_.normal_y[point] / at.z();
+  const Eigen::Vector3f shift(x_px, y_px, -(x_px * at.x() + y_px * at.y()) / at.z());
+  Eigen::Matrix<float, 6, 1> jacobian;
+  jacobian << (at - start_.translation_mm.cast<float>()).cross(shift), shift;
+  return jacobian;
+}
+
 void ContourMatch::move(const Twist& motion) {
-  const Eigen::Vector3f turn = motion.head<3>().cast<float>(),
-                        shift = motion.tail<3>().cast<float>();
-  const Eigen::Vector3f center_mm = start_.translation_mm.cast<float>();
-  const auto fx = static_cast<float>(camera_.fx_px), fy = static_cast<float>(camera_.fy_px);
-  for (std::size_t i = 0; i < count_; ++i) {
-    const Eigen::Vector3f at(points_.camera_x[i], points_.camera_y[i], points_.camera_z[i]);
-    const Eigen::Vector3f moved = turn.cross(at - center_mm) + shift;
-    const float x_px = fx * (moved.x() - moved.z() * at.x() / at.z()) / at.z();
-    const float y_px = fy * (moved.y() - moved.z() * at.y() / at.z()) / at.z();
-    moved_px_[i] = std::abs(x_px * points_.normal_x[i] + y_px * points_.normal_y[i]);
-  }
+  const Eigen::Matrix<float, 6, 1> twist = motion.cast<float>();
+  for (std::size_t i = 0; i < count_; ++i) moved_px_[i] = std::abs(jacobian(i).dot(twist));
 }
 
 void ContourMatch::blur(const Twist& motion) {
@@ -166,6 +174,28 @@ std::vector<MovedEdge> ContourMatch::moved_edges(const Twist& motion,
     edges.push_back({moved_px_[i], sharpness[i]});
   }
   return edges;
+}
+
+ShadingEvidence ContourMatch::shading_evidence(int reach_px, const Appearance& appearance) {
+  observe(reach_px, appearance);
+  // Of how far motions and shading would move an edge, and how far it is off.
+  Eigen::Matrix<float, 8, 8> products = Eigen::Matrix<float, 8, 8>::Zero();
+  for (std::size_t i = 0; i < count_; ++i) {
+    const float off_px = candidates_.offset_px[0][i];
+    const float near = std::max(0.0F, 1.0F - squared(off_px / static_cast<float>(reach_px)));
+    const float weight = candidates_.weight[0][i] * points_.trust[i] * squared(near);
+    if (weight <= 0) continue;
+    Eigen::Matrix<float, 8, 1> row;
+    row << jacobian(i), candidates_.whole_shading_px[i], off_px;
+    products.noalias() += weight * row * row.transpose();
+  }
+  // What no motion explains is the Schur complement of what motions do.
+  Matrix6 motions = products.topLeftCorner<6, 6>().cast<double>();
+  motions.diagonal() = (1 + kRidge) * motions.diagonal().array() + kRidge;
+  const Eigen::Matrix<double, 6, 2> mixed = products.topRightCorner<6, 2>().cast<double>();
+  const Eigen::Matrix2d left = products.bottomRightCorner<2, 2>().cast<double>() -
+                               mixed.transpose() * motions.ldlt().solve(mixed);
+  return {.information_px2 = left(0, 0), .left_px2 = left(0, 1)};
 }
 
 double ContourMatch::edges_beside(int from_px, int to_px) const {

@@ -23,13 +23,21 @@ struct MovedEdge {
   float moved_px, sharpness;
 };
 
+/// What the distances of edges say of the shading's share, see LineJob: squares of how far all of
+/// the shading would move them, and products of that with how far they are off, both without what a
+/// motion of the object explains.
+struct ShadingEvidence {
+  double information_px2 = 0, left_px2 = 0;
+};
+
 /// The visible contour at a pose, what the image shows across it, and the motion that brings both
 /// together. For one refinement at a time.
 class ContourMatch {
  public:
-  /// `center_mm`: the centre of the object, object frame. Picture and camera outlive the match.
+  /// `center_mm`: the centre of the object, object frame; `shading_share`: see LineJob. Picture and
+  /// camera outlive the match.
   ContourMatch(const SmoothPicture& picture, const CameraModel& camera,
-               const Eigen::Vector3d& center_mm);
+               const Eigen::Vector3d& center_mm, double shading_share);
 
   /// What the edges leave open, such as the turn of a cup whose handle is hidden, is taken from
   /// this pose (camera_from_center). Errors of the contour let edges seem to show `feigned_share`
@@ -85,6 +93,9 @@ class ContourMatch {
   /// last frame. Takes the place of what was observed.
   std::vector<MovedEdge> moved_edges(const Twist& motion, const Appearance& appearance);
 
+  /// What edges nearer than `reach_px` say of shading.
+  ShadingEvidence shading_evidence(int reach_px, const Appearance& appearance);
+
   /// The share of the points, 0..1, that have an edge `from_px` to `to_px` beside them, of both
   /// sides the mean.
   double edges_beside(int from_px, int to_px) const;
@@ -93,6 +104,8 @@ class ContourMatch {
   using Matrix6 = Eigen::Matrix<double, 6, 6>;
 
   void reserve(std::size_t most_points);
+  /// How far each entry of a twist moves a point across its edge, pixels.
+  Eigen::Matrix<float, 6, 1> jacobian(std::size_t point) const;
   /// How far a motion moves the points across their edges.
   void move(const Twist& motion);
   /// Of the last step, along each eigenvector: share^2 + feigned^2. What is solved with it goes
@@ -104,6 +117,7 @@ class ContourMatch {
   SmoothPicture picture_;
   const CameraModel& camera_;
   Eigen::Vector3d center_mm_;
+  float shading_share_;
   Pose expected_center_;
   double feigned_share_ = 1;
   std::unique_ptr<float[]> rows_;  ///< of points_, moved_px_ and candidates_

@@ -15,6 +15,7 @@
 #include "pose_uncertainty.h"
 #include "refiner.h"
 #include "region_cue.h"
+#include "shading_share.h"
 #include "simplified_mesh.h"
 #include "view_store.h"
 
@@ -96,6 +97,8 @@ class DefaultTracker final : public PoseFilterTracker {
     motion_.reset();
     uncertainty_.reset();
     exposure_.reset();
+    shading_.reset();
+    refiner_.set_shading_share(shading_.share());
     appearance_.reset();
     if (exact_) exact_->reset();
     usual_support_ = kFirstSupport;
@@ -167,15 +170,21 @@ class DefaultTracker final : public PoseFilterTracker {
     double chance = 0;
     Refiner::Colours seen;
     std::vector<MovedEdge> moved_edges;
+    ShadingEvidence shading;
     const Twist motion = twist_between(last, found);
     const bool telling =
         exact_ && frame_number_ % kTellingFrames == 0 &&
         displacement_mm(motion, mesh().radius_mm()) > kTellingMotion_px * mm_per_px(found);
-    workers_.each(telling ? 3 : 2, 1, [&](std::size_t i) {
+    workers_.each(telling ? 4 : 3, 1, [&](std::size_t i) {
       if (i == 0) {
         chance = refiner_.chance(best.camera_from_object);
       } else if (i == 1) {
         seen = refiner_.colours(result.camera_from_object, appearance);
+      } else if (i == 2) {
+        if (exact_) {
+          shading = refiner_.shading_evidence(best.camera_from_object, exact_->contour(),
+                                              blur_of(best.camera_from_object), appearance);
+        }
       } else {
         moved_edges = refiner_.moved_edges(best.camera_from_object, motion, appearance);
       }
@@ -196,6 +205,8 @@ class DefaultTracker final : public PoseFilterTracker {
     if (confirmed) {
       appearance_->learn(seen.object, seen.beside);
       if (!lost_sight) exposure_.observe(moved_edges);
+      shading_.observe(shading);
+      refiner_.set_shading_share(shading_.share());
     }
   }
 
@@ -295,11 +306,7 @@ class DefaultTracker final : public PoseFilterTracker {
   /// contour likes better takes its place.
   Refiner::Result polished(const Refiner::Result& refined, const Appearance& appearance) {
     ExactContour& exact = *exact_;
-    Twist blur = Twist::Zero();
-    if (bad_frames() == 0) {
-      blur =
-          exposure_.share() * twist_between(center_, filter_.to_center(refined.camera_from_object));
-    }
+    const Twist blur = blur_of(refined.camera_from_object);
     const auto polish = [&](const Refiner::Result& start) {
       return refiner_.polish(start, exact.contour(), exact.feigned_share(), blur, appearance);
     };
@@ -346,6 +353,12 @@ class DefaultTracker final : public PoseFilterTracker {
     }
     there.support = refiner_.examine(there.camera_from_object, appearance).support;
     return there;
+  }
+
+  /// How the object moved while the shutter was open, if it is at this pose now.
+  Twist blur_of(const Pose& camera_from_object) const {
+    if (bad_frames() > 0) return Twist::Zero();
+    return exposure_.share() * twist_between(center_, filter_.to_center(camera_from_object));
   }
 
   /// Poses on both sides of a refined one. False bottoms lie along the motions that the contour
@@ -417,6 +430,7 @@ class DefaultTracker final : public PoseFilterTracker {
   MotionModel motion_;
   PoseUncertainty uncertainty_;
   Exposure exposure_;
+  ShadingShare shading_;
   std::optional<Appearance> appearance_;  ///< for as many channels as the frames have
 
   Expectation expected_;

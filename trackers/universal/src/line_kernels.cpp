@@ -53,7 +53,11 @@ void FindCandidates(const LineJob& job, const LineCandidates& out) {
       VF encoding = lines.EncodingShift(levels);
       if (job.blur_px) encoding = hn::Mul(encoding, lines.BlurredEncoding(first));
       VF offset = hn::Sub(lines.Between(place[k]), encoding);
-      if (job.shading_px) offset = hn::Sub(offset, lines.ShadingShift(first, levels));
+      if (job.shading_px) {
+        const VF whole = lines.ShadingShift(first, levels);
+        offset = hn::NegMulAdd(Set(job.shading_share), whole, offset);
+        if (k == 0 && out.whole_shading_px) hn::StoreU(whole, f, out.whole_shading_px + first);
+      }
       const VF weight = Profile::Weight(lines.SlopeAt(place[k], 0));
       hn::StoreU(hn::IfThenElseZero(there, offset), f, out.offset_px[k] + first);
       hn::StoreU(hn::IfThenElseZero(there, weight), f, out.weight[k] + first);
@@ -80,7 +84,8 @@ void FindStrongest(const LineJob& job, const LineEdges& out) {
     const MF there = hn::Gt(best, Set(kNone));
     VF offset = lines.Between(place);
     if (job.shading_px) {
-      offset = hn::Sub(offset, lines.ShadingShift(first, lines.LevelsBeside(place)));
+      offset = hn::NegMulAdd(Set(job.shading_share),
+                             lines.ShadingShift(first, lines.LevelsBeside(place)), offset);
     }
     hn::StoreU(hn::IfThenElseZero(there, offset), f, out.offset_px + first);
     hn::StoreU(hn::IfThenElseZero(there, lines.SlopeAt(place, 0)), f, out.strength + first);

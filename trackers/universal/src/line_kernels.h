@@ -38,6 +38,7 @@ struct LineJob {
   /// is taken back from where edges are found, by as much of it as contrast allows; null: it moves
   /// none.
   const float* shading_px;
+  float shading_share;  ///< how much of that there is, 0..1
   /// How far the edge moved along its line while the shutter was open; null: nothing moved.
   const float* blur_px;
   /// Logarithm of the odds that a colour is the object's, as of Appearance, with its padding; null:
@@ -54,6 +55,8 @@ struct LineCandidates {
   float* offset_px[LineJob::kCandidates];  ///< from the middle, along the normal
   float* weight[LineJob::kCandidates];     ///< 0..1, by the edge's strength; 0: there is none
   float* log_score[LineJob::kCandidates];  ///< how much speaks for it; very low: there is none
+  /// Of the first one: how far it would have been moved by all of the shading. Null: not wanted.
+  float* whole_shading_px = nullptr;
 };
 void find_candidates(const LineJob& job, const LineCandidates& candidates);
 

@@ -35,6 +35,7 @@ constexpr double kFeigned = 0.005;
 constexpr double kSupport_px = 2.0;
 constexpr double kFit_px = 0.5;
 constexpr int kAside_px = 8, kAsideReach_px = 2;  // where edges are no edges of the contour
+constexpr int kShadingReach_px = 1;
 constexpr std::size_t kFewestPoints = 8;
 constexpr int kColourGap_px = 2;  // blurred edges are of neither colour
 constexpr int kColourReach_px = 12;
@@ -68,7 +69,9 @@ Pose Refiner::to_center(const Pose& camera_from_object) const {
   return {camera_from_object.rotation, camera_from_object * views_.center_mm()};
 }
 
-ContourMatch Refiner::match() const { return {picture(), camera_, views_.center_mm()}; }
+ContourMatch Refiner::match() const {
+  return {picture(), camera_, views_.center_mm(), shading_share_};
+}
 
 Pose Refiner::follow(ContourMatch& contour, const ModelView* view,
                      const Pose& start_camera_from_object, double reach_px,
@@ -176,6 +179,15 @@ double Refiner::chance(const Pose& camera_from_object) const {
   ContourMatch contour = match();
   contour.project(camera_from_object, views_.seen_from(camera_from_object), kAllPoints);
   return contour.edges_beside(kAside_px - kAsideReach_px, kAside_px + kAsideReach_px);
+}
+
+ShadingEvidence Refiner::shading_evidence(const Pose& camera_from_object, const ModelView& view,
+                                          const Twist& blur, const Appearance& appearance) const {
+  if (smooth_.empty()) return {};
+  ContourMatch contour = match();
+  if (contour.project(camera_from_object, view, kMostPolished) < kFewestPoints) return {};
+  if (!blur.isZero()) contour.blur(blur);
+  return contour.shading_evidence(kShadingReach_px, appearance);
 }
 
 std::vector<MovedEdge> Refiner::moved_edges(const Pose& camera_from_object, const Twist& motion,

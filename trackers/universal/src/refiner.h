@@ -87,6 +87,13 @@ class Refiner {
   /// belong, 0..1: in a cluttered image edges confirm little.
   double chance(const Pose& camera_from_object) const;
 
+  /// How much of the drawing's shading there is, 0..1, see LineJob; first all of it.
+  void set_shading_share(double share) { shading_share_ = share; }
+
+  /// What the image says of it at a polished pose; arguments as of polish().
+  ShadingEvidence shading_evidence(const Pose& camera_from_object, const ModelView& view,
+                                   const Twist& blur, const Appearance& appearance) const;
+
   /// See ContourMatch::moved_edges.
   std::vector<MovedEdge> moved_edges(const Pose& camera_from_object, const Twist& motion,
                                      const Appearance& appearance) const;
@@ -116,6 +123,7 @@ class Refiner {
   const ViewModel& views_;
   CameraModel camera_;
   Workers& workers_;
+  double shading_share_ = 1;
   cv::Mat smooth_;  ///< what is looked at of the frame, blurred; empty if that is nothing
   cv::Point origin_;
 };
