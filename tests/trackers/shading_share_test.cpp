@@ -12,7 +12,7 @@ namespace {
 /// What edges say that were located with `located_with` where `there_is` so much shading.
 ShadingEvidence evidence(double there_is, double located_with, double information_px2) {
   return {.information_px2 = information_px2,
-          .left_px2 = (there_is - located_with) * information_px2};
+          .left_px2 = (ShadingShare::kReliability * there_is - located_with) * information_px2};
 }
 
 TEST(ShadingShare, IsLearnedFromWhatIsLeft) {

@@ -52,7 +52,8 @@ constexpr double kLeastReach_px = 6.0, kMostReach_px = 16.0;
 constexpr std::size_t kDrawnTriangles = 20'000, kLargeModel = 40'000;
 constexpr double kEdgeError_px = 0.15;  // by which all of a contour may be off together
 constexpr double kClearlyBetter = 0.1;  // in evidence, than the pose that was given
-// The shutter's time is learned in one of so many frames, of motions that blur enough.
+// The shutter's time is learned in one of so many frames, of motions that blur enough, and shading
+// in the others.
 constexpr std::uint32_t kTellingFrames = 3;
 constexpr double kTellingMotion_px = 2.0;
 constexpr double kRight_mm = 10, kRight_deg = 2;  // what quality is the probability of
@@ -172,19 +173,19 @@ class DefaultTracker final : public PoseFilterTracker {
     std::vector<MovedEdge> moved_edges;
     ShadingEvidence shading;
     const Twist motion = twist_between(last, found);
-    const bool telling =
-        exact_ && frame_number_ % kTellingFrames == 0 &&
+    const bool blur_turn = frame_number_ % kTellingFrames == kTellingFrames - 1;
+    const bool tells_blur =
+        exact_ && blur_turn &&
         displacement_mm(motion, mesh().radius_mm()) > kTellingMotion_px * mm_per_px(found);
-    workers_.each(telling ? 4 : 3, 1, [&](std::size_t i) {
+    const bool tells_shading = exact_ && !blur_turn;
+    workers_.each(tells_blur || tells_shading ? 3 : 2, 1, [&](std::size_t i) {
       if (i == 0) {
         chance = refiner_.chance(best.camera_from_object);
       } else if (i == 1) {
         seen = refiner_.colours(result.camera_from_object, appearance);
-      } else if (i == 2) {
-        if (exact_) {
-          shading = refiner_.shading_evidence(best.camera_from_object, exact_->contour(),
-                                              blur_of(best.camera_from_object), appearance);
-        }
+      } else if (tells_shading) {
+        shading = refiner_.shading_evidence(best.camera_from_object, exact_->contour(),
+                                            blur_of(best.camera_from_object), appearance);
       } else {
         moved_edges = refiner_.moved_edges(best.camera_from_object, motion, appearance);
       }
