@@ -7,6 +7,7 @@
 #include <cmath>
 #include <opencv2/imgproc.hpp>
 #include <string>
+#include <tuple>
 #include <unordered_map>
 
 #include "anneal6d/framework/error.h"
@@ -83,6 +84,32 @@ std::vector<std::uint32_t> weld(const std::vector<MeshVertex>& vertices, float t
   return first;
 }
 
+/// Drops triangles that have two corners in one place, and those where another one is already.
+void drop_repeated(std::vector<Triangle>& triangles, const std::vector<std::uint32_t>& welded) {
+  struct Place {
+    Triangle corners;
+    std::size_t triangle;
+    bool operator<(const Place& other) const {
+      return std::tie(corners, triangle) < std::tie(other.corners, other.triangle);
+    }
+  };
+  std::vector<Place> places;
+  for (const Triangle& t : triangles) {
+    Triangle corners = {welded[t[0]], welded[t[1]], welded[t[2]]};
+    std::sort(corners.begin(), corners.end());
+    places.push_back({corners, places.size()});
+  }
+  std::sort(places.begin(), places.end());
+  std::vector<bool> dropped(triangles.size());
+  for (std::size_t i = 0; i < places.size(); ++i) {
+    const auto& [a, b, c] = places[i].corners;
+    dropped[places[i].triangle] =
+        a == b || b == c || (i > 0 && places[i].corners == places[i - 1].corners);
+  }
+  std::size_t next = 0;
+  std::erase_if(triangles, [&](const Triangle& /*triangle*/) { return dropped[next++]; });
+}
+
 /// Drops vertices that no triangle uses, keeping the order.
 void drop_unused(std::vector<MeshVertex>& vertices, std::vector<Triangle>& triangles) {
   constexpr auto kUnused = static_cast<std::uint32_t>(-1);
@@ -132,12 +159,14 @@ TriangleMesh::TriangleMesh(std::vector<MeshVertex> vertices, std::vector<Triangl
   std::erase_if(triangles_, [&](const Triangle& t) {
     return !(0.5F * scaled_normal(vertices_, t).norm() > least_mm2);
   });
+  const std::vector<std::uint32_t> welded = weld(vertices_, kWeldTolerance * diagonal_mm);
+  drop_repeated(triangles_, welded);
   if (triangles_.empty()) throw ConfigError("mesh: every triangle is degenerate (has no area)");
 
   for (MeshVertex& v : vertices_) {
     if (!v.normal.isZero()) v.normal.normalize();
   }
-  add_missing_normals(vertices_, triangles_, weld(vertices_, kWeldTolerance * diagonal_mm));
+  add_missing_normals(vertices_, triangles_, welded);
   drop_unused(vertices_, triangles_);
   welded_ = weld(vertices_, kWeldTolerance * diagonal_mm);
 

@@ -169,6 +169,23 @@ TEST(Triangles, WithoutAreaAreDropped) {
   EXPECT_EQ(mesh.vertices().size(), 3U);
 }
 
+TEST(Triangles, WithTwoCornersInOnePlaceAreDropped) {
+  // A sliver of 0.05 square millimetres.
+  const TriangleMesh mesh({at(0, 0, 0), at(100, 0, 0), at(0, 100, 0), at(100, 1e-3F, 0)},
+                          {{0, 1, 3}, {0, 3, 2}});
+  EXPECT_EQ(mesh.triangles().size(), 1U);
+}
+
+TEST(Triangles, WhereAnotherOneIsAreDropped) {
+  // Both sides of a sheet, the other one with vertices of its own, and one of its triangles twice.
+  const TriangleMesh mesh({at(0, 0, 0), at(100, 0, 0), at(0, 100, 0), at(100, 100, 0), at(0, 0, 0),
+                           at(0, 100, 0), at(100, 0, 0), at(100, 100, 0)},
+                          {{0, 1, 2}, {1, 3, 2}, {4, 5, 6}, {5, 7, 6}, {2, 1, 3}});
+  ASSERT_EQ(mesh.triangles().size(), 2U);
+  EXPECT_EQ(mesh.triangles()[0], (Triangle{0, 1, 2}));
+  EXPECT_EQ(mesh.triangles()[1], (Triangle{1, 3, 2}));
+}
+
 TEST(Box, IsThatOfTheUsedVertices) {
   const TriangleMesh mesh({at(0, 0, 0), at(100, 0, 0), at(0, 60, 0), at(9000, 9000, 9000)},
                           {{0, 1, 2}});

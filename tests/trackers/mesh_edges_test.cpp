@@ -20,6 +20,16 @@ std::ptrdiff_t creases_of(const SharedMesh& mesh) {
 
 TEST(CreasesOfABox, AreItsTwelveEdges) { EXPECT_EQ(creases_of(test::make_box(30, 40, 50)), 12); }
 
+TEST(CreasesOfABox, AreThoseOfOneThatHasTwoSidesEverywhere) {
+  const SharedMesh box = test::make_box(30, 40, 50);
+  std::vector<Triangle> triangles(box->triangles().begin(), box->triangles().end());
+  for (const auto& [a, b, c] : box->triangles()) triangles.push_back({a, c, b});
+  const auto both_sides = std::make_shared<const TriangleMesh>(
+      std::vector<MeshVertex>(box->vertices().begin(), box->vertices().end()), triangles);
+  EXPECT_EQ(mesh_edges(*both_sides).size(), 12U);
+  EXPECT_EQ(creases_of(both_sides), 12);
+}
+
 TEST(CreasesOfACylinderOfManyFacets, AreItsTwoRimsThoughEachOfTheirEdgesIsShort) {
   constexpr double kHalf_mm = 60, kRound_mm = 9;
   constexpr int kFacets = 64;
