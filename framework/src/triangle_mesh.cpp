@@ -84,7 +84,9 @@ std::vector<std::uint32_t> weld(const std::vector<MeshVertex>& vertices, float t
   return first;
 }
 
-/// Drops triangles that have two corners in one place, and those where another one is already.
+/// Drops triangles that have two corners in one place, and those of a mesh that has two sides
+/// everywhere which stand where another one is. Just a few of these are folds of a closed surface,
+/// as scans have them, and would leave it open.
 void drop_repeated(std::vector<Triangle>& triangles, const std::vector<std::uint32_t>& welded) {
   struct Place {
     Triangle corners;
@@ -100,14 +102,19 @@ void drop_repeated(std::vector<Triangle>& triangles, const std::vector<std::uint
     places.push_back({corners, places.size()});
   }
   std::sort(places.begin(), places.end());
-  std::vector<bool> dropped(triangles.size());
+  std::vector<bool> thin(triangles.size()), repeated(triangles.size());
   for (std::size_t i = 0; i < places.size(); ++i) {
     const auto& [a, b, c] = places[i].corners;
-    dropped[places[i].triangle] =
-        a == b || b == c || (i > 0 && places[i].corners == places[i - 1].corners);
+    thin[places[i].triangle] = a == b || b == c;
+    repeated[places[i].triangle] = i > 0 && places[i].corners == places[i - 1].corners;
   }
+  const bool two_sided = 3 * std::count(repeated.begin(), repeated.end(), true) >
+                         static_cast<std::ptrdiff_t>(triangles.size());
   std::size_t next = 0;
-  std::erase_if(triangles, [&](const Triangle& /*triangle*/) { return dropped[next++]; });
+  std::erase_if(triangles, [&](const Triangle& /*triangle*/) {
+    const std::size_t i = next++;
+    return thin[i] || (two_sided && repeated[i]);
+  });
 }
 
 /// Drops vertices that no triangle uses, keeping the order.

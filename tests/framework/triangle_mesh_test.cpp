@@ -176,7 +176,7 @@ TEST(Triangles, WithTwoCornersInOnePlaceAreDropped) {
   EXPECT_EQ(mesh.triangles().size(), 1U);
 }
 
-TEST(Triangles, WhereAnotherOneIsAreDropped) {
+TEST(Triangles, OfTheOtherSideOfAMeshAreDropped) {
   // Both sides of a sheet, the other one with vertices of its own, and one of its triangles twice.
   const TriangleMesh mesh({at(0, 0, 0), at(100, 0, 0), at(0, 100, 0), at(100, 100, 0), at(0, 0, 0),
                            at(0, 100, 0), at(100, 0, 0), at(100, 100, 0)},
@@ -184,6 +184,13 @@ TEST(Triangles, WhereAnotherOneIsAreDropped) {
   ASSERT_EQ(mesh.triangles().size(), 2U);
   EXPECT_EQ(mesh.triangles()[0], (Triangle{0, 1, 2}));
   EXPECT_EQ(mesh.triangles()[1], (Triangle{1, 3, 2}));
+}
+
+// A closed surface would be left open.
+TEST(Triangles, OfAFoldAreKept) {
+  const TriangleMesh mesh({at(0, 0, 0), at(100, 0, 0), at(0, 100, 0), at(0, 0, 100), at(60, 60, 9)},
+                          {{0, 2, 1}, {0, 1, 3}, {1, 2, 3}, {2, 0, 3}, {1, 2, 4}, {2, 1, 4}});
+  EXPECT_EQ(mesh.triangles().size(), 6U);
 }
 
 TEST(Box, IsThatOfTheUsedVertices) {

@@ -6,7 +6,6 @@
 
 #include <algorithm>
 #include <cstdint>
-#include <map>
 #include <vector>
 
 namespace anneal6d {
@@ -53,17 +52,6 @@ IndexedTriangles without_normals(const TriangleMesh& mesh) {
   return out;
 }
 
-/// Drops both triangles where the surface was folded onto itself.
-void drop_folds(std::vector<Triangle>& triangles) {
-  const auto sorted = [](Triangle corners) {
-    std::sort(corners.begin(), corners.end());
-    return corners;
-  };
-  std::map<Triangle, int> count;
-  for (const Triangle& triangle : triangles) ++count[sorted(triangle)];
-  std::erase_if(triangles, [&](const Triangle& t) { return count[sorted(t)] > 1; });
-}
-
 }  // namespace
 
 std::shared_ptr<const TriangleMesh> simplified(std::shared_ptr<const TriangleMesh> mesh,
@@ -83,7 +71,6 @@ std::shared_ptr<const TriangleMesh> simplified(std::shared_ptr<const TriangleMes
   for (std::size_t i = 0; i < triangles.size(); ++i) {
     triangles[i] = {corners[3 * i], corners[3 * i + 1], corners[3 * i + 2]};
   }
-  drop_folds(triangles);
   return std::make_shared<TriangleMesh>(
       std::move(all.vertices), std::move(triangles),
       mesh->has_texture() ? mesh->texture_levels().front() : cv::Mat());

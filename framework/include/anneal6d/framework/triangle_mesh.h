@@ -27,8 +27,8 @@ using Triangle = std::array<std::uint32_t, 3>;
 class TriangleMesh {
  public:
   /// Missing normals are computed: the angle-weighted mean of the adjacent faces that differ by
-  /// less than 40 degrees. Degenerate triangles are dropped, and of triangles in one place, such as
-  /// both sides of a sheet, all but the first. `texture` is CV_8UC3 (BGR) or empty.
+  /// less than 40 degrees. Degenerate triangles are dropped, and, of a mesh that has two sides
+  /// everywhere, one side. `texture` is CV_8UC3 (BGR) or empty.
   /// Throws ConfigError: no triangle left, index out of range, non-finite vertex, albedo outside
   /// 0..1, texture of another type.
   TriangleMesh(std::vector<MeshVertex> vertices, std::vector<Triangle> triangles,
