@@ -39,6 +39,8 @@ constexpr std::array kBlindSteps = {1.0, 2.0};
 constexpr std::size_t kJudgedPoints = 160;
 // By how much a neighbour must be likelier, by views and by the exact contour: else noise decides.
 constexpr double kNeighbourGain = 0.006, kExactGain = 0.01;
+// In evidence, by how much polishing may make a pose less likely: else it stays as it was.
+constexpr double kSpoiled = 0.1;
 // By how much wider an object is searched for with each frame without it, and with how many.
 constexpr double kGoneAway = 0.5, kLongestLost = 6;
 constexpr std::uint32_t kPasses = 3;  // of the search, each twice as wide as the one before
@@ -128,6 +130,13 @@ class DefaultTracker final : public PoseFilterTracker {
     const Refiner::Result shown = refiner_.examine(pose, *appearance_);
     usual_support_ = std::max(shown.support, kFirstSupport);
     usual_fit_ = shown.fit;
+    if (exact_) {
+      exact_->draw(pose, workers_);
+      const Refiner::Result there = refiner_.polish(
+          shown, exact_->contour(), exact_->feigned_share(), Twist::Zero(), *appearance_);
+      learn_shading(refiner_.shading_evidence(there.camera_from_object, exact_->contour(),
+                                              Twist::Zero(), *appearance_));
+    }
   }
 
   void preprocess(const cv::Mat& undistorted) override {
@@ -206,8 +215,7 @@ class DefaultTracker final : public PoseFilterTracker {
     if (confirmed) {
       appearance_->learn(seen.object, seen.beside);
       if (!lost_sight) exposure_.observe(moved_edges);
-      shading_.observe(shading);
-      refiner_.set_shading_share(shading_.share());
+      learn_shading(shading);
     }
   }
 
@@ -342,18 +350,41 @@ class DefaultTracker final : public PoseFilterTracker {
     poses.erase(std::remove_if(poses.begin() + 1, poses.end(),
                                [&](const Pose& other) { return same_place(other, poses[0]); }),
                 poses.end());
+    poses.push_back(refined.camera_from_object);
     std::vector<Refiner::Result> examined(poses.size());
     workers_.each(poses.size(), 1, [&](std::size_t i) { examined[i] = examine(poses[i]); });
+    const Refiner::Result unpolished = examined.back();
+    examined.pop_back();
     const auto rival = std::max_element(
         examined.begin(), examined.end(),
         [&](const auto& a, const auto& b) { return likelihood(a) < likelihood(b); });
-    if (rival == examined.begin()) return here;
-    Refiner::Result there = polish(*rival);
-    if (likelihood(examine(there.camera_from_object)) <= likelihood(examined[0]) + kExactGain) {
-      return here;
+    Refiner::Result best = here;
+    double most = likelihood(examined[0]);
+    bool elsewhere = false;
+    if (rival != examined.begin()) {
+      const Refiner::Result there = polish(*rival);
+      const double likely = likelihood(examine(there.camera_from_object));
+      if (likely > most + kExactGain) {
+        best = there;
+        most = likely;
+        elsewhere = true;
+      }
     }
-    there.support = refiner_.examine(there.camera_from_object, appearance).support;
-    return there;
+    const Refiner::Result& rough =
+        likelihood(*rival) > likelihood(unpolished) ? *rival : unpolished;
+    if (likelihood(rough) > most + kSpoiled) {
+      best.camera_from_object = rough.camera_from_object;
+      elsewhere = true;
+    }
+    if (elsewhere) {
+      best.support = refiner_.examine(best.camera_from_object, appearance).support;
+    }
+    return best;
+  }
+
+  void learn_shading(const ShadingEvidence& evidence) {
+    shading_.observe(evidence);
+    refiner_.set_shading_share(shading_.share());
   }
 
   /// How the object moved while the shutter was open, if it is at this pose now.
