@@ -94,7 +94,7 @@ TEST_P(SampledLines, InterpolateBetweenPixelsStayInThePictureAndHaveItsSlopes) {
   const cv::Mat picture = tight_picture(bytes, GetParam());
   const Lines lines;
   constexpr int kReach_px = 13;
-  constexpr int kMiddle = kReach_px + kLineMargin;
+  constexpr int kMiddleSample = kReach_px + kLineMargin;
   for (const std::int64_t target : test::instruction_sets()) {
     const test::OnInstructionSet on(target);
     SCOPED_TRACE(hwy::TargetName(target));
@@ -107,8 +107,8 @@ TEST_P(SampledLines, InterpolateBetweenPixelsStayInThePictureAndHaveItsSlopes) {
       const auto sample = [&](const std::vector<float>& row, int i) {
         return row[static_cast<std::size_t>(i) * kLongestVector];
       };
-      for (int i = 0; i <= 2 * kMiddle; ++i) {
-        const double along = i - kMiddle;
+      for (int i = 0; i <= 2 * kMiddleSample; ++i) {
+        const double along = i - kMiddleSample;
         double sum = 0;
         for (int channel = 0; channel < picture.channels(); ++channel) {
           const auto& row = grey[static_cast<std::size_t>(channel)];
@@ -117,10 +117,10 @@ TEST_P(SampledLines, InterpolateBetweenPixelsStayInThePictureAndHaveItsSlopes) {
                            lines.y[line] + along * lines.normal_y[line]);
           EXPECT_NEAR(sample(row, i), expected, 0.02)
               << "sample " << i << " of line " << line << ", channel " << channel;
-          if (i == 0 || i == 2 * kMiddle) continue;
+          if (i == 0 || i == 2 * kMiddleSample) continue;
           sum += std::pow(0.5 * (sample(row, i + 1) - sample(row, i - 1)), 2);
         }
-        if (i == 0 || i == 2 * kMiddle) continue;
+        if (i == 0 || i == 2 * kMiddleSample) continue;
         EXPECT_NEAR(sample(slope, i), std::sqrt(sum), 1e-3) << "sample " << i << " of " << line;
       }
     }

@@ -108,8 +108,11 @@ Eigen::Matrix<float, 6, 1> ContourMatch::jacobian(std::size_t point) const {
   const float x_px = static_cast<float>(camera_.fx_px) * points_.normal_x[point] / at.z();
   const float y_px = static_cast<float>(camera_.fy_px) * points_.normal_y[point] / at.z();
   const Eigen::Vector3f shift(x_px, y_px, -(x_px * at.x() + y_px * at.y()) / at.z());
+  const Eigen::Vector3f arm = at - start_.translation_mm.cast<float>();
   Eigen::Matrix<float, 6, 1> jacobian;
-  jacobian << (at - start_.translation_mm.cast<float>()).cross(shift), shift;
+  // The cross product by hand: GCC 12 warns of Eigen's.
+  jacobian << arm.y() * shift.z() - arm.z() * shift.y(), arm.z() * shift.x() - arm.x() * shift.z(),
+      arm.x() * shift.y() - arm.y() * shift.x(), shift;
   return jacobian;
 }
 
