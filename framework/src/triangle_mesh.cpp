@@ -56,7 +56,8 @@ std::vector<std::uint32_t> weld(const std::vector<MeshVertex>& vertices, float t
     return cell;
   };
   const auto hash = [](const Cell& cell) {
-    return static_cast<std::size_t>(cell[0] * 73856093 ^ cell[1] * 19349663 ^ cell[2] * 83492791);
+    const auto number = [&](std::size_t i) { return static_cast<std::size_t>(cell[i]); };
+    return number(0) * 73856093U ^ number(1) * 19349663U ^ number(2) * 83492791U;
   };
   std::unordered_map<Cell, std::vector<std::uint32_t>, decltype(hash)> grid(vertices.size(), hash);
 
