@@ -7,8 +7,8 @@
 #include <cmath>
 #include <opencv2/imgproc.hpp>
 #include <string>
-#include <tuple>
 #include <unordered_map>
+#include <utility>
 
 #include "anneal6d/framework/error.h"
 #include "smooth_normals.h"
@@ -89,25 +89,18 @@ std::vector<std::uint32_t> weld(const std::vector<MeshVertex>& vertices, float t
 /// everywhere which stand where another one is. Just a few of these are folds of a closed surface,
 /// as scans have them, and would leave it open.
 void drop_repeated(std::vector<Triangle>& triangles, const std::vector<std::uint32_t>& welded) {
-  struct Place {
-    Triangle corners;
-    std::size_t triangle;
-    bool operator<(const Place& other) const {
-      return std::tie(corners, triangle) < std::tie(other.corners, other.triangle);
-    }
-  };
-  std::vector<Place> places;
+  std::vector<std::pair<Triangle, std::size_t>> places;  // welded corners, and which triangle
   for (const Triangle& t : triangles) {
     Triangle corners = {welded[t[0]], welded[t[1]], welded[t[2]]};
     std::sort(corners.begin(), corners.end());
-    places.push_back({corners, places.size()});
+    places.emplace_back(corners, places.size());
   }
   std::sort(places.begin(), places.end());
   std::vector<bool> thin(triangles.size()), repeated(triangles.size());
   for (std::size_t i = 0; i < places.size(); ++i) {
-    const auto& [a, b, c] = places[i].corners;
-    thin[places[i].triangle] = a == b || b == c;
-    repeated[places[i].triangle] = i > 0 && places[i].corners == places[i - 1].corners;
+    const auto& [corners, triangle] = places[i];
+    thin[triangle] = corners[0] == corners[1] || corners[1] == corners[2];
+    repeated[triangle] = i > 0 && corners == places[i - 1].first;
   }
   const bool two_sided = 3 * std::count(repeated.begin(), repeated.end(), true) >
                          static_cast<std::ptrdiff_t>(triangles.size());
