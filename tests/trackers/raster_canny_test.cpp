@@ -39,7 +39,7 @@ cv::Mat canny_by_bits(const cv::Mat& picture, int low, int high) {
     }
   }
   // What was there before must not matter.
-  std::vector<std::uint16_t> rows(entries(kBandRows + 2, row_stride), 77);
+  std::vector<std::uint16_t> rows(entries(kBrightnessRows, row_stride), 77);
   std::vector<std::int16_t> gradients(3 * rows.size(), 777);
   std::vector<std::uint64_t> bits(entries(height, words), ~std::uint64_t{0}), candidates = bits;
   find_canny_candidates({.picture = {.pixels = pixels.data(),
@@ -97,7 +97,7 @@ TEST(CannyByBits, EqualsOpenCVs) {
 
 TEST(CannyByBits, TakesThePictureAway) {
   std::vector<std::uint32_t> pixels(40 * (30 + kPixelMargin), 0x12345678);
-  std::vector<std::uint16_t> rows((kBandRows + 2) * (30 + 2 * kRowMargin));
+  std::vector<std::uint16_t> rows(kBrightnessRows * (30 + 2 * kRowMargin));
   std::vector<std::int16_t> gradients(3 * rows.size());
   std::vector<std::uint64_t> bits(40), candidates(40);
   find_canny_candidates({.picture = {.pixels = pixels.data(),

@@ -44,23 +44,16 @@ class GradientRows {
   std::int16_t* begin_;
 };
 
-/// Gradients of the `count` rows of a band. Column by column of vectors, as in raster_edges.cpp.
+/// Gradients of the `count` rows of a band, column by column of vectors.
 void Differentiate(const DrawnPicture& picture, int count, const GradientRows& gradients) {
   const int lanes = static_cast<int>(hn::Lanes(d));
   for (int x = 0; x < picture.width; x += lanes) {
-    const std::uint16_t* row = picture.rows + kRowMargin + x;
-    Across above = AcrossRow<true>(row);
-    Across here = AcrossRow<true>(row += picture.row_stride);
-    for (int r = 2; r < count + 2; ++r) {
-      const Across below = AcrossRow<true>(row += picture.row_stride);
-      const V gx = Weighted<true>(above.difference, here.difference, below.difference);
-      const V gy = hn::Sub(below.sum, above.sum);
-      hn::StoreU(gx, d, gradients.gx(r) + x);
-      hn::StoreU(gy, d, gradients.gy(r) + x);
-      hn::StoreU(hn::Add(hn::Abs(gx), hn::Abs(gy)), d, gradients.magnitude(r) + x);
-      above = here;
-      here = below;
-    }
+    DifferentiateColumn<true>(
+        picture.rows + kRowMargin + x, picture.row_stride, count, [&](int r, V gx, V gy) {
+          hn::StoreU(gx, d, gradients.gx(r + 2) + x);
+          hn::StoreU(gy, d, gradients.gy(r + 2) + x);
+          hn::StoreU(hn::Add(hn::Abs(gx), hn::Abs(gy)), d, gradients.magnitude(r + 2) + x);
+        });
   }
   for (int r = 2; r < count + 2; ++r) gradients.close_magnitude(r);
 }

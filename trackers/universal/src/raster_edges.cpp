@@ -18,8 +18,7 @@ namespace anneal6d {
 namespace HWY_NAMESPACE {
 namespace hn = hwy::HWY_NAMESPACE;
 
-/// Edges of `count` rows, whose brightness begins a row earlier. Column by column of vectors, so
-/// that what a row contributes to three rows of edges stays in registers.
+/// Edges of `count` rows, whose brightness begins a row earlier, column by column of vectors.
 template <bool kSobel>
 void FindEdgesOfBand(const EdgeJob& job, int y, int count) {
   const DrawnPicture& picture = job.picture;
@@ -28,18 +27,10 @@ void FindEdgesOfBand(const EdgeJob& job, int y, int count) {
   const V threshold = hn::Set(d, static_cast<std::int16_t>(job.threshold));
   std::uint64_t* const bits = job.bits + y * words;
   for (int x = 0; x < picture.width; x += lanes) {
-    const std::uint16_t* row = picture.rows + kRowMargin + x;
-    Across above = AcrossRow<kSobel>(row);
-    Across here = AcrossRow<kSobel>(row += picture.row_stride);
-    for (int r = 0; r < count; ++r) {
-      const Across below = AcrossRow<kSobel>(row += picture.row_stride);
-      const V gx = Weighted<kSobel>(above.difference, here.difference, below.difference);
-      const V gy = hn::Sub(below.sum, above.sum);
-      const auto edge = hn::Gt(hn::Max(hn::Abs(gx), hn::Abs(gy)), threshold);
-      PutBits(edge, x, bits + r * words);
-      above = here;
-      here = below;
-    }
+    DifferentiateColumn<kSobel>(
+        picture.rows + kRowMargin + x, picture.row_stride, count, [&](int r, V gx, V gy) {
+          PutBits(hn::Gt(hn::Max(hn::Abs(gx), hn::Abs(gy)), threshold), x, bits + r * words);
+        });
   }
   ClearBehind(picture.width, count, bits);
 }

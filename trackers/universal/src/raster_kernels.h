@@ -91,6 +91,8 @@ inline constexpr int kRowMargin = 64;
 /// Rows of brightness that are taken at a time; with one above and one below they stay in the
 /// fastest cache.
 inline constexpr int kBandRows = 16;
+/// With those beside a band, and one that is read ahead of its use.
+inline constexpr int kBrightnessRows = kBandRows + 3;
 /// Pixels behind a row of the drawing that are read or written with it: those of the widest vector,
 /// or of two of half the width.
 inline constexpr int kPixelMargin = 16;
@@ -101,7 +103,7 @@ struct DrawnPicture {
   std::uint32_t* pixels;
   int stride;
   int width, height;
-  std::uint16_t* rows;  ///< for kBandRows + 2 rows of brightness
+  std::uint16_t* rows;  ///< for kBrightnessRows rows of brightness
   int row_stride;       ///< entries, with a kRowMargin on both sides
 };
 

@@ -46,18 +46,44 @@ struct Across {
   V difference, sum;
 };
 
-template <bool kSobel>
-HWY_INLINE V Weighted(V side1, V centre, V side2) {
-  return hn::Add(hn::Add(side1, side2), kSobel ? hn::Add(centre, centre) : centre);
-}
+/// Pixels of a row and those beside them.
+struct Neighbours {
+  V left, centre, right;
+};
 
-template <bool kSobel>
-HWY_INLINE Across AcrossRow(const std::uint16_t* row) {
+HWY_INLINE Neighbours LoadNeighbours(const std::uint16_t* row) {
   const auto load = [&](std::ptrdiff_t shift) {
     return hn::LoadU(d, reinterpret_cast<const std::int16_t*>(row + shift));
   };
-  const V left = load(-1), right = load(1);
-  return {hn::Sub(right, left), Weighted<kSobel>(left, load(0), right)};
+  return {load(-1), load(0), load(1)};
+}
+
+template <bool kSobel>
+HWY_INLINE Across AcrossRow(const Neighbours& n) {
+  return {hn::Sub(n.right, n.left),
+          hn::Add(hn::Add(n.left, n.right), kSobel ? hn::Add(n.centre, n.centre) : n.centre)};
+}
+
+/// Gradients of a vector of pixels in `count` rows, the first of them below `row`: `use(r, gx, gy)`
+/// for r from 0. What a row contributes to three rows of gradients stays in registers. A row is
+/// loaded before it is needed, even one behind those that are: otherwise compilers load each pixel
+/// again for each use, and loads are what takes longest here.
+template <bool kSobel, class Use>
+HWY_INLINE void DifferentiateColumn(const std::uint16_t* row, std::ptrdiff_t row_stride, int count,
+                                    const Use& use) {
+  Across above = AcrossRow<kSobel>(LoadNeighbours(row));
+  Across here = AcrossRow<kSobel>(LoadNeighbours(row += row_stride));
+  Neighbours next = LoadNeighbours(row += row_stride);
+  V upper = hn::Add(above.difference, here.difference);
+  for (int r = 0; r < count; ++r) {
+    const Across below = AcrossRow<kSobel>(next);
+    next = LoadNeighbours(row += row_stride);
+    const V lower = hn::Add(here.difference, below.difference);
+    use(r, hn::Add(upper, kSobel ? lower : below.difference), hn::Sub(below.sum, above.sum));
+    above = here;
+    here = below;
+    upper = lower;
+  }
 }
 
 /// Takes a drawing's brightness band by band into its rows, from one row above the band to one

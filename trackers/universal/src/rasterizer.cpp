@@ -34,9 +34,9 @@ Rasterizer::Rasterizer(const RasterModel& model, const CameraModel& camera, cons
   const auto width = static_cast<std::size_t>(camera.width_px);
   const auto height = static_cast<std::size_t>(camera.height_px);
   pixels_.resize((width + 15 + kPixelMargin) * (height + 1));  // a row may be filled with its next
-  const auto band = (kBandRows + 2) * static_cast<std::size_t>(row_stride_of(camera.width_px));
-  rows_.resize(band);
-  gradients_.resize(3 * band);
+  const auto row = static_cast<std::size_t>(row_stride_of(camera.width_px));
+  rows_.resize(kBrightnessRows * row);
+  gradients_.resize(3 * (kBandRows + 2) * row);
   bits_.resize((width / 64 + 2) * (height + 1));
   candidates_.resize(bits_.size());
 }
