@@ -319,19 +319,10 @@ class DefaultTracker final : public PoseFilterTracker {
     const auto polish = [&](const Refiner::Result& start) {
       return refiner_.polish(start, exact.contour(), exact.feigned_share(), blur, appearance);
     };
-    std::vector<Pose> starts{filter_.to_object(expected_.camera_from_center)};
-    const auto look_along = [&](std::uint32_t motion, double steps) {
-      for (const Pose& start : beside(refined, motion, steps)) starts.push_back(start);
-    };
     // The little that shows a mug's turn while its handle is hidden adds up over frames. The turn
     // of a body of revolution does not matter.
     const bool blind = symmetry_.axis.isZero() && unseen_share(refined) > kHardlySeen;
-    if (blind) {
-      for (const double steps : kBlindSteps) look_along(0, steps);
-    }
-    for (std::uint32_t motion = blind ? 1 : 0; motion < kNeighbourMotions; ++motion) {
-      look_along(motion, 1.0);
-    }
+    const std::vector<Pose> starts = rival_starts(refined, blind);
     const auto examine = [&](const Pose& pose) {
       return refiner_.examine_in(exact.contour(), pose, appearance,
                                  blind ? Refiner::kMostPolished : kJudgedPoints);
@@ -380,6 +371,22 @@ class DefaultTracker final : public PoseFilterTracker {
       best.support = refiner_.examine(best.camera_from_object, appearance).support;
     }
     return best;
+  }
+
+  /// Where rivals of a refined pose are looked for: at the motion model's guess and on both sides
+  /// along each motion; `blind`: farther along the weakest one.
+  std::vector<Pose> rival_starts(const Refiner::Result& refined, bool blind) const {
+    std::vector<Pose> starts{filter_.to_object(expected_.camera_from_center)};
+    const auto look_along = [&](std::uint32_t motion, double steps) {
+      for (const Pose& start : beside(refined, motion, steps)) starts.push_back(start);
+    };
+    if (blind) {
+      for (const double steps : kBlindSteps) look_along(0, steps);
+    }
+    for (std::uint32_t motion = blind ? 1 : 0; motion < kNeighbourMotions; ++motion) {
+      look_along(motion, 1.0);
+    }
+    return starts;
   }
 
   void learn_shading(const ShadingEvidence& evidence) {

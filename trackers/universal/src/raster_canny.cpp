@@ -36,7 +36,7 @@ class GradientRows {
 
  private:
   std::int16_t* at(int kind, int row) const {
-    return begin_ + (kind * (kBandRows + 2) + row) * stride_ + kRowMargin;
+    return begin_ + (kind * kGradientRows + row) * stride_ + kRowMargin;
   }
 
   std::ptrdiff_t stride_;

@@ -91,8 +91,10 @@ inline constexpr int kRowMargin = 64;
 /// Rows of brightness that are taken at a time; with one above and one below they stay in the
 /// fastest cache.
 inline constexpr int kBandRows = 16;
-/// With those beside a band, and one that is read ahead of its use.
+/// With those beside a band, and one more, since rows are read ahead of their use.
 inline constexpr int kBrightnessRows = kBandRows + 3;
+/// With the two above a band, see CannyJob.
+inline constexpr int kGradientRows = kBandRows + 2;
 /// Pixels behind a row of the drawing that are read or written with it: those of the widest vector,
 /// or of two of half the width.
 inline constexpr int kPixelMargin = 16;
@@ -123,7 +125,7 @@ void find_edges(const EdgeJob& job);
 struct CannyJob {
   DrawnPicture picture;
   int low, high;
-  std::int16_t* gradients;    ///< for 3 * (kBandRows + 2) rows like those of brightness
+  std::int16_t* gradients;    ///< for 3 * kGradientRows rows like those of brightness
   std::uint64_t* candidates;  ///< above the low threshold
   std::uint64_t* strong;      ///< above the high one
 };

@@ -65,9 +65,9 @@ HWY_INLINE Across AcrossRow(const Neighbours& n) {
 }
 
 /// Gradients of a vector of pixels in `count` rows, the first of them below `row`: `use(r, gx, gy)`
-/// for r from 0. What a row contributes to three rows of gradients stays in registers. A row is
-/// loaded before it is needed, even one behind those that are: otherwise compilers load each pixel
-/// again for each use, and loads are what takes longest here.
+/// for r from 0. What a row contributes to three rows of gradients stays in registers. Rows are
+/// loaded one ahead, so that one more is read than is used: else compilers load each pixel again
+/// for each use, and loads are what takes longest here.
 template <bool kSobel, class Use>
 HWY_INLINE void DifferentiateColumn(const std::uint16_t* row, std::ptrdiff_t row_stride, int count,
                                     const Use& use) {

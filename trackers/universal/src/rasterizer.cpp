@@ -36,7 +36,7 @@ Rasterizer::Rasterizer(const RasterModel& model, const CameraModel& camera, cons
   pixels_.resize((width + 15 + kPixelMargin) * (height + 1));  // a row may be filled with its next
   const auto row = static_cast<std::size_t>(row_stride_of(camera.width_px));
   rows_.resize(kBrightnessRows * row);
-  gradients_.resize(3 * (kBandRows + 2) * row);
+  gradients_.resize(3 * kGradientRows * row);
   bits_.resize((width / 64 + 2) * (height + 1));
   candidates_.resize(bits_.size());
 }
