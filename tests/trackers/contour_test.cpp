@@ -22,9 +22,8 @@ std::vector<ContourPoint> contour_of(const SharedMesh& mesh, const Pose& pose,
                                      const CameraModel& camera = test::small_camera()) {
   const RasterModel model(mesh, texture_edges);
   Rasterizer rasterizer(model, camera, Shading{});
-  const Region region = rasterizer.draw(pose, 4);
   cv::Mat grey, depth_mm;
-  rasterizer.take_images(grey, depth_mm);
+  const Region region = rasterizer.draw_images(pose, 4, grey, &depth_mm);
   Workers alone(1);
   std::vector<ContourPoint> points;
   ContourExtractor(*mesh).extract({pose, camera, region, grey, depth_mm}, kSpacing_px,
@@ -213,9 +212,8 @@ TEST(ExtractingAContour, ReplacesThePointsBefore) {
   const CameraModel camera = test::small_camera();
   Rasterizer rasterizer(model, camera, Shading{});
   const Pose pose = corner_view();
-  const Region region = rasterizer.draw(pose, 4);
   cv::Mat grey, depth_mm;
-  rasterizer.take_images(grey, depth_mm);
+  const Region region = rasterizer.draw_images(pose, 4, grey, &depth_mm);
   ContourExtractor extractor(*cube());
   Workers alone(1);
   std::vector<ContourPoint> points(5);

@@ -5,12 +5,10 @@
 #include <gtest/gtest.h>
 
 #include <algorithm>
-#include <array>
 
 #include "instruction_sets.h"
 #include "special_numbers.h"
 #include "synthetic.h"
-#include "workers.h"
 
 namespace anneal6d {
 namespace {
@@ -326,9 +324,8 @@ TEST(Rasterizing, LeavesNoTraceOfDrawingsBefore) {
   Rasterizer rasterizer(model, small_camera(), Shading{});
   const Pose pose = tilted(50, 10, 300);
   const auto draw_again = [&] {
-    rasterizer.draw(pose, 2);
-    cv::Mat grey, depth_mm;
-    rasterizer.take_images(grey, depth_mm);
+    cv::Mat grey;
+    rasterizer.draw_images(pose, 2, grey);
     return grey;
   };
   const cv::Mat first = draw_again();
@@ -339,28 +336,6 @@ TEST(Rasterizing, LeavesNoTraceOfDrawingsBefore) {
       rasterizer.count_edges(edges, {.threshold = 40});
     }
     EXPECT_EQ(cv::countNonZero(first != draw_again()), 0) << z_mm;
-  }
-}
-
-// Named apart from the tests above, which ThreadSanitizer leaves out.
-TEST(ADrawingSharedByThreads, IsTheSameAsOfOneAndLeavesNoTrace) {
-  const RasterModel model(test::make_torus(50, 20, 60), false);
-  ASSERT_GT(model.faces.size(), 3000U) << "else it is not shared";
-  Rasterizer rasterizer(model, small_camera(), Shading{});
-  Workers two(2);
-  for (const double z_mm : {300.0, 40.0, 250.0}) {  // the second one is cut by the near plane
-    const Pose pose = tilted(50, 10, z_mm);
-    const auto drawn = [&](Workers* workers) {
-      std::array<cv::Mat, 2> images;
-      if (!rasterizer.draw(pose, 2, workers).empty()) {
-        rasterizer.take_images(images[0], images[1]);
-      }
-      return images;
-    };
-    const auto shared = drawn(&two), alone = drawn(nullptr);
-    ASSERT_GT(cv::countNonZero(alone[0]), 1000) << z_mm;
-    EXPECT_EQ(cv::countNonZero(shared[0] != alone[0]), 0) << z_mm;
-    EXPECT_EQ(cv::countNonZero(shared[1] != alone[1]), 0) << z_mm;
   }
 }
 

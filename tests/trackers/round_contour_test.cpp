@@ -25,9 +25,8 @@ RoundView view_of(const SharedMesh& mesh, const Pose& pose) {
   const CameraModel camera = test::small_camera();
   const RasterModel model(mesh, false);
   Rasterizer rasterizer(model, camera, Shading{});
-  const Region region = rasterizer.draw(pose, 8);
   cv::Mat grey, depth_mm;
-  rasterizer.take_images(grey, depth_mm);
+  const Region region = rasterizer.draw_images(pose, 8, grey, &depth_mm);
   Workers alone(1);
   RoundView view;
   ContourExtractor(*mesh).extract({pose, camera, region, grey, depth_mm}, kApart_px, false, alone,

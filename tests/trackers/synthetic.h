@@ -115,10 +115,10 @@ inline Drawing draw(const RasterModel& model, const CameraModel& camera, const P
   drawing.grey = cv::Mat::zeros(camera.height_px, camera.width_px, CV_8UC1);
   drawing.depth_mm = cv::Mat::zeros(camera.height_px, camera.width_px, CV_32FC1);
   Rasterizer rasterizer(model, camera, shading);
-  const Region region = drawing.region = rasterizer.draw(pose, margin_px);
-  if (region.empty()) return drawing;
   cv::Mat grey, depth_mm;
-  rasterizer.take_images(grey, depth_mm);
+  const Region region = rasterizer.draw_images(pose, margin_px, grey, &depth_mm);
+  drawing.region = region;
+  if (region.empty()) return drawing;
   const cv::Rect window(region.x, region.y, region.width, region.height);
   grey.copyTo(drawing.grey(window));
   depth_mm.copyTo(drawing.depth_mm(window));

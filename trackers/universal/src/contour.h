@@ -43,7 +43,7 @@ class ContourExtractor {
     Pose camera_from_object;
     const CameraModel& camera;
     Region region;        ///< of the two pictures
-    const cv::Mat& grey;  ///< as of Rasterizer::take_images
+    const cv::Mat& grey;  ///< as of Rasterizer::draw_images
     const cv::Mat& depth_mm;
   };
 

@@ -61,16 +61,18 @@ class CpuScorer final : public PoseScorer {
 
  private:
   EdgeMatch score_one(Workspace& workspace, const Pose& camera_from_object) const {
-    const bool fused = edges_.blur_sigma_px <= 0;
     // Canny's smoothing-free gradients and non-maximum suppression reach two pixels, a Gaussian
     // three of its sigmas.
     const int reach_px = 2 + static_cast<int>(std::ceil(4 * edges_.blur_sigma_px));
-    const Region region =
-        workspace.rasterizer.draw(camera_from_object, reach_px + edges_.dilation_px);
-    if (region.empty()) return {};
-    if (fused) return workspace.rasterizer.count_edges(frame_packed_, edges_);
+    const int margin_px = reach_px + edges_.dilation_px;
+    if (edges_.blur_sigma_px <= 0) {
+      if (workspace.rasterizer.draw(camera_from_object, margin_px).empty()) return {};
+      return workspace.rasterizer.count_edges(frame_packed_, edges_);
+    }
 
-    workspace.rasterizer.take_grey(workspace.grey);
+    const Region region =
+        workspace.rasterizer.draw_images(camera_from_object, margin_px, workspace.grey);
+    if (region.empty()) return {};
     workspace.edge_detector.detect(workspace.grey, edges_, workspace.edges);
     cv::Mat& edges = workspace.edges.binary;
     EdgeMatch match;

@@ -64,10 +64,8 @@ struct TriangleJob {
   float cx, cy;
   bool clip;                   ///< some triangles may cross the near plane
   const QuadTexture* texture;  ///< null: none
-  /// Faces are dealt out, a vector of them at a time, to so many callers; this is one of them.
-  std::size_t part, parts;
-  int x0, y0, x1, y1;     ///< the region, half-open, pixels
-  std::uint32_t* pixels;  ///< of (x0, y0)
+  int x0, y0, x1, y1;          ///< what is drawn of the image, half-open, pixels
+  std::uint32_t* pixels;       ///< of (x0, y0)
   int stride;
 };
 void draw_triangles(const TriangleJob& job);
@@ -76,7 +74,6 @@ void draw_triangles(const TriangleJob& job);
 /// is no object.
 struct PictureJob {
   std::uint32_t* pixels;
-  std::uint32_t* others;  ///< drawn beside it, the nearer one counts and both are cleared; or null
   int stride, width, height;
   float inv_far, depth_scale;
   std::uint8_t* grey;

@@ -27,17 +27,11 @@ void TakePictures(const PictureJob& job) {
   const auto scale = hn::Set(f, 1.0F / job.depth_scale), inv_far = hn::Set(f, job.inv_far);
   for (int y = 0; y < job.height; ++y) {
     std::uint32_t* const row = job.pixels + static_cast<std::ptrdiff_t>(y) * job.stride;
-    std::uint32_t* const other =
-        job.others ? job.others + static_cast<std::ptrdiff_t>(y) * job.stride : nullptr;
     float* const depth_row = job.depth_mm ? job.depth_mm + y * job.depth_stride : nullptr;
     std::uint8_t* const grey_row = job.grey + y * job.grey_stride;
     for (int x = 0; x < job.width; x += lanes) {
-      auto pixels = hn::LoadU(ui, row + x);
+      const auto pixels = hn::LoadU(ui, row + x);
       hn::StoreU(hn::Zero(ui), ui, row + x);
-      if (other) {
-        pixels = hn::Max(pixels, hn::LoadU(ui, other + x));  // the nearer one
-        hn::StoreU(hn::Zero(ui), ui, other + x);
-      }
       const bool whole = x + lanes <= job.width;
       const auto count = static_cast<std::size_t>(job.width - x);
       const auto grey = hn::DemoteTo(

@@ -112,7 +112,7 @@ void DrawAll(const TriangleJob& job) {
   const std::size_t lanes = hn::Lanes(f);
   const std::size_t most = (job.clip ? kMostOfAFace : 1) * lanes;  // that a vector of faces appends
   Batch batch;
-  for (std::size_t first = job.part * lanes; first < m.faces.size(); first += job.parts * lanes) {
+  for (std::size_t first = 0; first < m.faces.size(); first += lanes) {
     auto facing = hn::FirstN(f, m.faces.size() - first);
     if (cull) {
       // In the object frame, where planes lie in sequence: no corner needs to be fetched.

@@ -3,7 +3,6 @@
 #include "rasterizer.h"
 
 #include <algorithm>
-#include <atomic>
 #include <cassert>
 #include <cmath>
 
@@ -11,9 +10,6 @@
 
 namespace anneal6d {
 namespace {
-
-constexpr std::size_t kWorthSharing = 3000;  // faces
-constexpr std::size_t kShares = 8;
 
 /// A pixel coordinate as a whole number within a range that no image leaves.
 int whole(float pixels) { return static_cast<int>(std::clamp(pixels, -1e6F, 1e6F)); }
@@ -41,18 +37,24 @@ Rasterizer::Rasterizer(const RasterModel& model, const CameraModel& camera, cons
   candidates_.resize(bits_.size());
 }
 
-Region Rasterizer::draw(const Pose& camera_from_object, int margin_px, Workers* workers) {
+Region Rasterizer::draw(const Pose& camera_from_object, int margin_px) {
+  if (const auto job = set_up(camera_from_object, margin_px)) draw_triangles(*job);
+  return region_;
+}
+
+std::optional<TriangleJob> Rasterizer::set_up(const Pose& camera_from_object, int margin_px) {
   region_ = {};
-  if (!camera_from_object.is_finite()) return region_;
+  if (!camera_from_object.is_finite()) return {};
   const Pose& pose = camera_from_object;
   const double center_z = (pose * model_.mesh->center_mm().cast<double>()).z();
   const double far_mm = 1.001 * (center_z + model_.mesh->radius_mm());
-  if (!(far_mm > kNearPlane_mm) || far_mm > 1e7) return region_;
+  if (!(far_mm > kNearPlane_mm) || far_mm > 1e7) return {};
   const double nearest_mm = 0.999 * (center_z - model_.mesh->radius_mm());
   const bool clip = nearest_mm < kNearPlane_mm;
   const double near_mm = clip ? kNearPlane_mm : nearest_mm;
-  inv_far_ = static_cast<float>(1.0 / far_mm);
-  depth_scale_ = static_cast<float>((kNearDepth - kFarDepth) / (1.0 / near_mm - 1.0 / far_mm));
+  const auto inv_far = static_cast<float>(1.0 / far_mm);
+  const auto depth_scale =
+      static_cast<float>((kNearDepth - kFarDepth) / (1.0 / near_mm - 1.0 / far_mm));
 
   const Eigen::Vector3f to_light = pose.rotation.conjugate().cast<float>() * shading_.to_light;
   const Eigen::Vector3f eye_mm = pose.inverse().translation_mm.cast<float>();
@@ -66,8 +68,8 @@ Region Rasterizer::draw(const Pose& camera_from_object, int margin_px, Workers* 
                      .to_light = {to_light[0], to_light[1], to_light[2]},
                      .ambient = shading_.ambient,
                      .diffuse = shading_.diffuse,
-                     .inv_far = inv_far_,
-                     .depth_scale = depth_scale_,
+                     .inv_far = inv_far,
+                     .depth_scale = depth_scale,
                      .vertices = vertices_.data(),
                      .texture_points = texture_points_.data(),
                      .camera_z = camera_z_.data(),
@@ -88,7 +90,7 @@ Region Rasterizer::draw(const Pose& camera_from_object, int margin_px, Workers* 
     y0 = std::max(y0, whole(std::floor(vertices.min_y)) - margin_px);
     x1 = std::min(x1, whole(std::ceil(vertices.max_x)) + 1 + margin_px);
     y1 = std::min(y1, whole(std::ceil(vertices.max_y)) + 1 + margin_px);
-    if (x0 >= x1 || y0 >= y1) return region_;
+    if (x0 >= x1 || y0 >= y1) return {};
   }
   x0 &= ~7;  // edge bits are read by bytes
   region_ = {x0, y0, x1 - x0, y1 - y0};
@@ -99,49 +101,26 @@ Region Rasterizer::draw(const Pose& camera_from_object, int margin_px, Workers* 
     texture = &model_.textures[static_cast<std::size_t>(
         model_.mesh->texture_level_for(camera_.fx_px / std::max(center_z, kNearPlane_mm)))];
   }
-  TriangleJob job{.model = &model_,
-                  .vertices = vertices_.data(),
-                  .texture_points = texture_points_.data(),
-                  .camera_z = camera_z_.data(),
-                  .eye_mm = {eye_mm[0], eye_mm[1], eye_mm[2]},
-                  .inv_far = inv_far_,
-                  .depth_scale = depth_scale_,
-                  .cx = vertices.cx,
-                  .cy = vertices.cy,
-                  .clip = clip,
-                  .texture = texture,
-                  .part = 0,
-                  .parts = 1,
-                  .x0 = x0,
-                  .y0 = y0,
-                  .x1 = x1,
-                  .y1 = y1,
-                  .pixels = pixels_.data(),
-                  .stride = stride_};
-  shared_ = workers && model_.faces.size() >= kWorthSharing;
-  if (shared_) {
-    draw_shared(job, *workers);
-  } else {
-    draw_triangles(job);
-  }
-  return region_;
-}
-
-void Rasterizer::draw_shared(const TriangleJob& job, Workers& workers) {
-  other_pixels_.resize(pixels_.size());
-  // In small shares, since a thread that has other work comes late. What is drawn over what does
-  // not depend on who draws it.
-  std::atomic<std::size_t> next = 0;
-  workers.each(2, 1, [&](std::size_t drawing) {
-    TriangleJob share = job;
-    share.parts = kShares;
-    if (drawing == 1) share.pixels = other_pixels_.data();
-    for (share.part = next++; share.part < kShares; share.part = next++) draw_triangles(share);
-  });
+  return TriangleJob{.model = &model_,
+                     .vertices = vertices_.data(),
+                     .texture_points = texture_points_.data(),
+                     .camera_z = camera_z_.data(),
+                     .eye_mm = {eye_mm[0], eye_mm[1], eye_mm[2]},
+                     .inv_far = inv_far,
+                     .depth_scale = depth_scale,
+                     .cx = vertices.cx,
+                     .cy = vertices.cy,
+                     .clip = clip,
+                     .texture = texture,
+                     .x0 = x0,
+                     .y0 = y0,
+                     .x1 = x1,
+                     .y1 = y1,
+                     .pixels = pixels_.data(),
+                     .stride = stride_};
 }
 
 EdgeMatch Rasterizer::count_edges(const PackedEdges& frame_edges, const EdgeOptions& options) {
-  assert(!shared_);
   const int width = region_.width, height = region_.height;
   const int words = (width + 63) / 64;
   const int radius = options.dilation_px;
@@ -177,29 +156,29 @@ EdgeMatch Rasterizer::count_edges(const PackedEdges& frame_edges, const EdgeOpti
                           .frame_stride = 4 * frame_edges.words_a_row()});
 }
 
-void Rasterizer::take_grey(cv::Mat& grey) { take(grey, nullptr); }
-
-void Rasterizer::take_images(cv::Mat& grey, cv::Mat& depth_mm) { take(grey, &depth_mm); }
-
-void Rasterizer::take(cv::Mat& grey, cv::Mat* depth_mm) {
+Region Rasterizer::draw_images(const Pose& camera_from_object, int margin_px, cv::Mat& grey,
+                               cv::Mat* depth_mm) {
+  const auto job = set_up(camera_from_object, margin_px);
+  if (!job) return region_;
   grey.create(region_.height, region_.width, CV_8UC1);
-  PictureJob job{.pixels = pixels_.data(),
-                 .others = shared_ ? other_pixels_.data() : nullptr,
-                 .stride = stride_,
-                 .width = region_.width,
-                 .height = region_.height,
-                 .inv_far = inv_far_,
-                 .depth_scale = depth_scale_,
-                 .grey = grey.ptr<std::uint8_t>(),
-                 .grey_stride = static_cast<std::ptrdiff_t>(grey.step1()),
-                 .depth_mm = nullptr,
-                 .depth_stride = 0};
+  draw_triangles(*job);
+  PictureJob picture{.pixels = pixels_.data(),
+                     .stride = stride_,
+                     .width = region_.width,
+                     .height = region_.height,
+                     .inv_far = job->inv_far,
+                     .depth_scale = job->depth_scale,
+                     .grey = grey.ptr<std::uint8_t>(),
+                     .grey_stride = static_cast<std::ptrdiff_t>(grey.step1()),
+                     .depth_mm = nullptr,
+                     .depth_stride = 0};
   if (depth_mm) {
     depth_mm->create(region_.height, region_.width, CV_32FC1);
-    job.depth_mm = depth_mm->ptr<float>();
-    job.depth_stride = static_cast<std::ptrdiff_t>(depth_mm->step1());
+    picture.depth_mm = depth_mm->ptr<float>();
+    picture.depth_stride = static_cast<std::ptrdiff_t>(depth_mm->step1());
   }
-  take_pictures(job);
+  take_pictures(picture);
+  return region_;
 }
 
 }  // namespace anneal6d

@@ -3,6 +3,7 @@
 #pragma once
 
 #include <cstdint>
+#include <optional>
 #include <vector>
 
 #include "anneal6d/framework/camera_model.h"
@@ -12,7 +13,6 @@
 #include "packed_edges.h"
 #include "raster_kernels.h"
 #include "raster_model.h"
-#include "workers.h"
 
 namespace anneal6d {
 
@@ -33,40 +33,33 @@ class Rasterizer {
  public:
   Rasterizer(const RasterModel& model, const CameraModel& camera, const Shading& shading);
 
-  /// Draws the object; `workers`, if given, share the work on many faces. A drawing must be
-  /// consumed by one of the functions below before the next. The region holds every pixel of the
-  /// object and a margin of `margin_px` around it, as far as they are in the image; its x is a
-  /// multiple of 8. Empty, with nothing to consume, if no part of the object can be visible or the
-  /// pose is not finite.
-  Region draw(const Pose& camera_from_object, int margin_px, Workers* workers = nullptr);
+  /// Draws the object, to be consumed by count_edges before the next drawing. The region holds
+  /// every pixel of the object and a margin of `margin_px` around it, as far as they are in the
+  /// image; its x is a multiple of 8. Empty, with nothing to consume, if no part of the object can
+  /// be visible or the pose is not finite.
+  Region draw(const Pose& camera_from_object, int margin_px);
 
-  /// Consumes a drawing without `workers`: edge operator, threshold, dilation (thesis Alg. 4), AND
-  /// with the frame's edges and both counts, without an image in between. Blur is left out;
-  /// thresholds are given, Canny's both. The margin was at least 1 + options.dilation_px, and one
-  /// more for Canny.
+  /// Consumes a drawing: edge operator, threshold, dilation (thesis Alg. 4), AND with the frame's
+  /// edges and both counts, without an image in between. Blur is left out; thresholds are given,
+  /// Canny's both. The margin was at least 1 + options.dilation_px, and one more for Canny.
   EdgeMatch count_edges(const PackedEdges& frame_edges, const EdgeOptions& options);
 
-  /// Consumes the drawing into an image of the region's size: brightness, CV_8UC1, 0 where there is
-  /// no object. (Re)allocated as needed.
-  void take_grey(cv::Mat& grey);
-
-  /// The same with depth, CV_32FC1, millimetres, 0 where there is no object.
-  void take_images(cv::Mat& grey, cv::Mat& depth_mm);
+  /// Draws the object as images of the region's size, 0 where there is no object: brightness,
+  /// CV_8UC1, and depth, CV_32FC1, millimetres, if wanted. (Re)allocated as needed; unchanged if
+  /// the region, which is that of `draw`, is empty.
+  Region draw_images(const Pose& camera_from_object, int margin_px, cv::Mat& grey,
+                     cv::Mat* depth_mm = nullptr);
 
  private:
-  void take(cv::Mat& grey, cv::Mat* depth_mm);
-  void draw_shared(const TriangleJob& job, Workers& workers);
+  std::optional<TriangleJob> set_up(const Pose& camera_from_object, int margin_px);
 
   const RasterModel& model_;
   CameraModel camera_;
   Shading shading_;
 
   Region region_;
-  int stride_ = 0;                         // words a row of the drawing
-  LineArray<std::uint32_t> pixels_;        // all zero but between draw and consumption
-  bool shared_ = false;                    // between both
-  LineArray<std::uint32_t> other_pixels_;  // the same, what another thread drew
-  float inv_far_ = 0, depth_scale_ = 1;
+  int stride_ = 0;                   // words a row of the drawing
+  LineArray<std::uint32_t> pixels_;  // all zero but between draw and consumption
 
   std::vector<ImageVertex> vertices_;
   std::vector<TexturePoint> texture_points_;

@@ -94,8 +94,7 @@ ModelView ViewPainter::paint_contour(const Pose& camera_from_object, std::size_t
   ModelView view;
   workers.each(2, 1, [&](std::size_t part) {
     if (part == 1) return extractor_.pick_edges(camera_from_object);
-    region_ = rasterizer_.draw(camera_from_object, 8, &workers);
-    if (!region_.empty()) rasterizer_.take_images(grey_, depth_mm_);
+    region_ = rasterizer_.draw_images(camera_from_object, 8, grey_, &depth_mm_);
   });
   if (region_.empty()) return view;
   workers.each(2, 1, [&](std::size_t part) {
