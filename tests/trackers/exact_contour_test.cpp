@@ -45,6 +45,12 @@ TEST_F(ContourDrawnWhileTracking, IsDrawnAgainWhereTheObjectLooksDifferent) {
   EXPECT_EQ(exact.contour().contour.size(), fresh.contour().contour.size());
 }
 
+TEST_F(ContourDrawnWhileTracking, ServesALittleBesideItsViewpoint) {
+  const Eigen::Vector3f before_mm = place_mm();
+  exact.draw(turned_deg({0, 1, 0}), workers);
+  EXPECT_EQ(place_mm(), before_mm);
+}
+
 TEST_F(ContourDrawnWhileTracking, ServesWhereTheImageIsShiftedOrTurned) {
   const Eigen::Vector3f before_mm = place_mm();
   exact.draw(beside(*setup().mesh, corner_view(), {0, 0, 0}, {1, -1, 1}), workers);

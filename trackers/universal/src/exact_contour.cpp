@@ -10,8 +10,8 @@
 namespace anneal6d {
 namespace {
 
-// Between viewpoints that see the same contour, as a share of the distance.
-constexpr double kSameView = 0.5 * (std::numbers::pi / 180.0);
+// Between viewpoints that see nearly the same contour, as a share of the distance.
+constexpr double kSameView = 1.5 * (std::numbers::pi / 180.0);
 
 }  // namespace
 

@@ -29,7 +29,7 @@ struct PolishingRound {
   std::array<double, 2> reaches_px;
 };
 constexpr std::array kPolishing = {PolishingRound{kAllPoints, 2, {1.5, 0.75}},
-                                   PolishingRound{Refiner::kMostPolished, 1, {0.75, 0.375}}};
+                                   PolishingRound{Refiner::kMostPolished, 1, {0.75, 0.25}}};
 // See ContourMatch::expect; contours of views are those of poses a few degrees away.
 constexpr double kFeigned = 0.005;
 constexpr double kSupport_px = 2.0;
