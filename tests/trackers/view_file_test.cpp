@@ -94,14 +94,6 @@ TEST_F(ViewFile, KeepsEveryPolarity) {
   }
 }
 
-TEST_F(ViewFile, IsTheSameOnceRounded) {
-  const auto read = unpack(packed());
-  ASSERT_TRUE(read);
-  const auto again = unpack(pack_views(*read, kKey, center_mm(), radius_mm()));
-  ASSERT_TRUE(again);
-  EXPECT_EQ((*read)[42].edge_x.front(), (*again)[42].edge_x.front());
-}
-
 TEST_F(ViewFile, IsNotReadIfItIsTruncated) {
   const std::string_view whole = packed();
   for (const std::size_t length :
@@ -116,31 +108,22 @@ TEST_F(ViewFile, IsNotReadIfItGoesOn) { EXPECT_FALSE(unpack(packed() + '\0')); }
 
 TEST_F(ViewFile, IsNotReadForAnotherModel) { EXPECT_FALSE(unpack(packed(), kKey + 1)); }
 
-TEST_F(ViewFile, IsNotReadInAnotherVersionOrWithOtherCounts) {
-  for (const std::size_t place : {0, 1, 2, 3, 12, 13, 17, 19}) {
+TEST_F(ViewFile, IsNotReadInAnotherVersion) {
+  for (std::size_t place = 0; place < 4; ++place) {
     std::string other = packed();
     other[place] = static_cast<char>(other[place] ^ 0x55);
     EXPECT_FALSE(unpack(other)) << "byte " << place;
   }
 }
 
-TEST_F(ViewFile, GivesFiniteNumbersOrNothingWhateverIsDamaged) {
-  for (std::uint32_t i = 0; i < 100; ++i) {
+TEST_F(ViewFile, IsNotReadIfABitIsWrong) {
+  for (std::uint32_t i = 0; i < 40; ++i) {
     const RandomKey key{.seed = 8, .particle = i};
     std::string damaged = packed();
-    for (std::uint32_t k = 0; k < 20; ++k) {
-      const auto place = static_cast<std::size_t>(
-          test::random_between(key, 2 * k, 20, static_cast<double>(damaged.size() - 1)));
-      damaged[place] = static_cast<char>(test::random_between(key, 2 * k + 1, -128, 128));
-    }
-    const auto read = unpack(damaged);
-    if (!read) continue;
-    for (const ModelView& view : *read) {
-      for (const ContourSample& sample : view.contour) {
-        ASSERT_TRUE(sample.object_mm.allFinite() && sample.normal.allFinite());
-        ASSERT_TRUE(sample.polarity >= -1 && sample.polarity <= 1);
-      }
-    }
+    const auto place = static_cast<std::size_t>(
+        test::random_between(key, 0, 0, static_cast<double>(damaged.size() - 1)));
+    damaged[place] = static_cast<char>(damaged[place] ^ 1 << i % 8);
+    EXPECT_FALSE(unpack(damaged)) << "bit " << i % 8 << " of byte " << place;
   }
 }
 

@@ -52,13 +52,25 @@ class ViewStore : public testing::Test {
   std::string warnings_;
 };
 
+bool same(const ContourSample& a, const ContourSample& b) {
+  return a.object_mm == b.object_mm && a.normal == b.normal && a.curve_mm == b.curve_mm &&
+         a.inside_mm == b.inside_mm && a.outside_mm == b.outside_mm && a.shift_px == b.shift_px &&
+         a.trust == b.trust && a.silhouette == b.silhouette && a.polarity == b.polarity;
+}
+
 bool same(const ViewModel& a, const ViewModel& b) {
   for (std::size_t i = 0; i < a.views().size(); ++i) {
     const ModelView &one = a.views()[i], &other = b.views()[i];
     if (one.contour.size() != other.contour.size() || one.edges != other.edges) return false;
+    if (one.edge_px != other.edge_px) return false;
     for (std::size_t k = 0; k < one.contour.size(); ++k) {
-      if (one.contour[k].object_mm != other.contour[k].object_mm) return false;
-      if (one.contour[k].normal != other.contour[k].normal) return false;
+      if (!same(one.contour[k], other.contour[k])) return false;
+    }
+    for (std::size_t k = 0; k < static_cast<std::size_t>(one.edges); ++k) {
+      if (one.edge_x[k] != other.edge_x[k] || one.edge_y[k] != other.edge_y[k] ||
+          one.edge_z[k] != other.edge_z[k]) {
+        return false;
+      }
     }
   }
   return true;

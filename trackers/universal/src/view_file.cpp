@@ -5,14 +5,14 @@
 #include <algorithm>
 #include <cmath>
 #include <cstring>
-#include <limits>
 #include <type_traits>
+
+#include "fnv_hash.h"
 
 namespace anneal6d {
 namespace {
 
-constexpr std::uint32_t kMagic = 0x65763941;  // "A9ve", lowest byte first
-constexpr std::size_t kMostPoints = 4096;     // of a view; more is damage
+constexpr std::uint32_t kMagic = 0x66763941;  // "A9vf", lowest byte first
 constexpr double kSpan = 1.25;                // of the radius: where points can lie
 constexpr double kUnit = 32767.0;
 
@@ -42,28 +42,28 @@ class Reader {
  public:
   explicit Reader(std::string_view bytes) : bytes_(bytes) {}
 
-  /// Zero behind the end; see `complete`.
+  /// Zero behind the end.
   template <class Number>
   Number get() {
     Number number{};
-    if (bytes_.size() < sizeof number) {
-      complete_ = false;
-      bytes_ = {};
-      return number;
-    }
-    std::memcpy(&number, bytes_.data(), sizeof number);
-    bytes_.remove_prefix(sizeof number);
+    const std::size_t size = std::min(bytes_.size(), sizeof number);
+    std::memcpy(&number, bytes_.data(), size);
+    bytes_.remove_prefix(size);
     return number;
   }
   double get_fraction() { return get<std::int16_t>() / kUnit; }
   double get_byte() { return get<std::uint8_t>() / 255.0; }
-  bool complete() const { return complete_; }
-  bool at_end() const { return bytes_.empty(); }
+  std::string_view left() const { return bytes_; }
 
  private:
   std::string_view bytes_;
-  bool complete_ = true;
 };
+
+std::uint64_t hash_of(std::string_view bytes) {
+  FnvHash hash;
+  hash.add(bytes.data(), bytes.size());
+  return hash.value();
+}
 
 /// Around the object: what places and lengths are fractions of.
 struct Ball {
@@ -101,7 +101,7 @@ ContourSample get_sample(Reader& reader, const Ball& ball) {
   sample.trust = static_cast<float>(reader.get_byte());
   const int flags = reader.get<std::uint8_t>();
   sample.silhouette = flags % 2 != 0;
-  sample.polarity = std::min(flags / 2, 2) - 1;
+  sample.polarity = flags / 2 - 1;
   return sample;
 }
 
@@ -111,9 +111,6 @@ std::string pack_views(const std::vector<ModelView>& views, ViewKey key,
                        const Eigen::Vector3d& center_mm, double radius_mm) {
   const Ball ball{center_mm, radius_mm};
   Writer writer;
-  writer.put(kMagic);
-  writer.put(key);
-  writer.put(static_cast<std::uint32_t>(views.size()));
   for (const ModelView& view : views) {
     writer.put(static_cast<std::uint16_t>(view.contour.size()));
     writer.put(static_cast<std::uint16_t>(view.edges));
@@ -125,7 +122,12 @@ std::string pack_views(const std::vector<ModelView>& views, ViewKey key,
       writer.put_fraction((view.edge_z[i] - center_mm.z()) / ball.span_mm());
     }
   }
-  return writer.take();
+  const std::string body = writer.take();
+  Writer whole;
+  whole.put(kMagic);
+  whole.put(key);
+  whole.put(hash_of(body));
+  return whole.take() + body;
 }
 
 std::optional<std::vector<ModelView>> unpack_views(std::string_view bytes, ViewKey key,
@@ -134,7 +136,7 @@ std::optional<std::vector<ModelView>> unpack_views(std::string_view bytes, ViewK
   const Ball ball{center_mm, radius_mm};
   Reader reader(bytes);
   if (reader.get<std::uint32_t>() != kMagic || reader.get<ViewKey>() != key ||
-      reader.get<std::uint32_t>() != ViewModel::kViews) {
+      reader.get<std::uint64_t>() != hash_of(reader.left())) {
     return std::nullopt;
   }
   std::vector<ModelView> views(ViewModel::kViews);
@@ -142,7 +144,6 @@ std::optional<std::vector<ModelView>> unpack_views(std::string_view bytes, ViewK
     const std::size_t samples = reader.get<std::uint16_t>();
     const std::size_t edges = reader.get<std::uint16_t>();
     view.edge_px = reader.get<float>();
-    if (samples > kMostPoints || edges > kMostPoints || !reader.complete()) return std::nullopt;
     for (std::size_t i = 0; i < samples; ++i) view.contour.push_back(get_sample(reader, ball));
     for (std::size_t i = 0; i < edges; ++i) {
       const auto coordinate = [&](double center) {
@@ -152,14 +153,8 @@ std::optional<std::vector<ModelView>> unpack_views(std::string_view bytes, ViewK
       view.edge_y.push_back(coordinate(center_mm.y()));
       view.edge_z.push_back(coordinate(center_mm.z()));
     }
-    view.edges = static_cast<int>(edges);
-    const std::size_t padded =
-        (edges + ModelView::kPadding - 1) / ModelView::kPadding * ModelView::kPadding;
-    for (auto* values : {&view.edge_x, &view.edge_y, &view.edge_z}) {
-      values->resize(padded, std::numeric_limits<float>::quiet_NaN());
-    }
+    view.pad_edges();
   }
-  if (!reader.complete() || !reader.at_end()) return std::nullopt;
   return views;
 }
 

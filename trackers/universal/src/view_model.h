@@ -6,6 +6,7 @@
 #include <array>
 #include <cstdint>
 #include <functional>
+#include <limits>
 #include <vector>
 
 #include "anneal6d/framework/edge_detector.h"
@@ -46,10 +47,19 @@ struct ModelView {
 
   std::vector<ContourSample> contour;
   /// Pixels of the edge image that the exact renderer makes of this view, as points of the object's
-  /// frame, millimetres; in a view of a model padded with NaN to a multiple of kPadding.
+  /// frame, millimetres; padded with NaN to a multiple of kPadding.
   std::vector<float> edge_x, edge_y, edge_z;
   int edges = 0;      ///< points, without the padding
   float edge_px = 0;  ///< edge pixels that they stand for
+
+  /// Pads the points that there are.
+  void pad_edges() {
+    edges = static_cast<int>(edge_x.size());
+    const std::size_t padded = (edge_x.size() + kPadding - 1) / kPadding * kPadding;
+    for (auto* values : {&edge_x, &edge_y, &edge_z}) {
+      values->resize(padded, std::numeric_limits<float>::quiet_NaN());
+    }
+  }
 };
 
 /// The object from viewpoints all around it, made once: what is visible from where, so that nothing

@@ -18,7 +18,7 @@ namespace {
 constexpr double kSpacing_px = 2.5;
 constexpr std::size_t kMostContour = 240;
 constexpr std::size_t kSamplesPerTask = 120;
-constexpr int kMostEdges = 300;
+constexpr std::size_t kMostEdges = 300;
 constexpr float kProbe_px = 1.6F;  // beside a contour, to tell object from background
 constexpr float kBend_px = 2.0F;
 constexpr int kFarthest_px = 16;
@@ -222,7 +222,7 @@ void ViewPainter::sample_edges(const Pose& camera_from_object, std::uint32_t see
   const Pose object_from_camera = camera_from_object.inverse();
   const int reach = 2 + edges_.dilation_px;
   for (const cv::Point& pixel : pixels) {
-    if (view.edges == kMostEdges) break;
+    if (view.edge_x.size() == kMostEdges) break;
     // An edge is also found on the pixel beside the object; its depth is that of the object there.
     float depth_mm = 0;
     int nearest = std::numeric_limits<int>::max();
@@ -244,8 +244,8 @@ void ViewPainter::sample_edges(const Pose& camera_from_object, std::uint32_t see
     view.edge_x.push_back(object_mm.x());
     view.edge_y.push_back(object_mm.y());
     view.edge_z.push_back(object_mm.z());
-    ++view.edges;
   }
+  view.pad_edges();
 }
 
 }  // namespace anneal6d

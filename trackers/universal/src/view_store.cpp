@@ -12,6 +12,7 @@
 #include "anneal6d/framework/error.h"
 #include "anneal6d/framework/log.h"
 #include "anneal6d/framework/shading.h"
+#include "fnv_hash.h"
 #include "view_file.h"
 
 namespace anneal6d {
@@ -20,27 +21,8 @@ namespace {
 /// Viewpoints that see all of a smaller object would be nearer than the near plane.
 constexpr double kLeastRadius_mm = 2 * kNearPlane_mm / ViewModel::kDistance;
 
-/// FNV-1a (Fowler, Noll, Vo), 64 bits: not for security, but for telling models apart.
-class Hash {
- public:
-  void add(const void* data, std::size_t size) {
-    const auto* const bytes = static_cast<const unsigned char*>(data);
-    for (std::size_t i = 0; i < size; ++i) {
-      value_ = (value_ ^ bytes[i]) * 0x100000001B3ULL;
-    }
-  }
-  template <class Number>
-  void add(Number number) {
-    add(&number, sizeof number);
-  }
-  std::uint64_t value() const { return value_; }
-
- private:
-  std::uint64_t value_ = 0xCBF29CE484222325ULL;
-};
-
 ViewKey key_of(const ScorerSetup& setup) {
-  Hash hash;
+  FnvHash hash;
   const TriangleMesh& mesh = *setup.mesh;
   hash.add(mesh.vertices().data(), mesh.vertices().size_bytes());
   hash.add(mesh.triangles().data(), mesh.triangles().size_bytes());
