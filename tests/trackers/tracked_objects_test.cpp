@@ -62,6 +62,50 @@ TEST(UniversalTrackerOfABowl, IsUnsureOfItsTurnUnlessItIsKnownToBeRound) {
   EXPECT_LT(any.back().quality, 0.6);
 }
 
+TEST(UniversalTrackerOfAnObjectWithSymmetries, TurnsItAboutItsOrigin) {
+  // A box beside its origin. That a turn by ten degrees changes nothing is not true of it, but
+  // shows where it is turned about.
+  const SharedMesh centered = test::make_box(90, 60, 75);
+  std::vector<MeshVertex> vertices(centered->vertices().begin(), centered->vertices().end());
+  for (MeshVertex& vertex : vertices) vertex.position_mm.x() += 30;
+  const auto box = std::make_shared<const TriangleMesh>(
+      vertices, std::vector<Triangle>(centered->triangles().begin(), centered->triangles().end()));
+  Sequence sequence = test::moving_sequence(box, 2);
+  const Eigen::Quaterniond turn =
+      rotation_from_axis_angle(Eigen::Vector3d::UnitZ(), 10 * test::kDegree);
+  sequence.truth[0].rotation = sequence.truth[1].rotation * turn;  // where it is said to start
+
+  const auto first_pose = [&](std::vector<Eigen::Quaterniond> symmetries) {
+    TrackerSetup setup = test::setup_for(box, {});
+    setup.symmetry.rotations = std::move(symmetries);
+    return test::track(*make_plugin(tracker_plugins(), "tracker", "universal", setup), sequence)[0]
+        .camera_from_object;
+  };
+  const Pose found = first_pose({}), folded = first_pose({turn});
+  EXPECT_LT(folded.rotation.angularDistance(found.rotation * turn), 1e-9);
+  EXPECT_LT((folded.translation_mm - found.translation_mm).norm(), 1e-9);
+}
+
+TEST(UniversalTrackerWithPixelsThatAreNotSquare, LooksAtAllOfTheObject) {
+  const SharedMesh box = test::make_box(60, 90, 60);
+  CameraModel camera = test::small_camera();
+  camera.fx_px = 150;
+  camera.fy_px = 600;
+  const RasterModel model(box, false);
+  for (const char* mode : {"default", "thesis"}) {
+    TrackerSetup setup = test::setup_for(box, {{"mode", mode}});
+    setup.camera = camera;
+    const auto tracker = make_plugin(tracker_plugins(), "tracker", "universal", setup);
+    const Pose truth = test::pose_with_center(
+        *box, rotation_from_vector(Eigen::Vector3d(0.3, 0.4, 0)), {0, 0, 360});
+    const cv::Mat image = test::photograph(model, camera, truth, 40, 1.5);
+    tracker->reset(truth);
+    const TrackResult result = tracker->track(test::frame_of(image, 0));
+    EXPECT_GT(result.quality, 0.8) << mode;
+    EXPECT_LT(center_distance_mm(*box, result.camera_from_object, truth), 2) << mode;
+  }
+}
+
 /// Mean error along the line of sight of the last frames of a moving cylinder, millimetres.
 double depth_error_mm(const Shading& light) {
   const SharedMesh cylinder = test::make_cylinder(110, 30, 64);

@@ -173,50 +173,11 @@ class DefaultTracker final : public PoseFilterTracker {
                         (best.support - usual_support_);
     }
     if (exact_) best = polished(best, appearance);
-    Pose found = filter_.to_center(best.camera_from_object);
-    found.rotation = symmetry_.fold(found.rotation, last.rotation);
-    result.camera_from_object = result.best_camera_from_object = filter_.to_object(found);
-
-    double chance = 0;
-    Refiner::Colours seen;
-    std::vector<MovedEdge> moved_edges;
-    ShadingEvidence shading;
-    const Twist motion = twist_between(last, found);
-    const bool blur_turn = frame_number_ % kTellingFrames == kTellingFrames - 1;
-    const bool tells_blur =
-        exact_ && blur_turn &&
-        displacement_mm(motion, mesh().radius_mm()) > kTellingMotion_px * mm_per_px(found);
-    const bool tells_shading = exact_ && !blur_turn;
-    workers_.each(tells_blur || tells_shading ? 3 : 2, 1, [&](std::size_t i) {
-      if (i == 0) {
-        chance = refiner_.chance(best.camera_from_object);
-      } else if (i == 1) {
-        seen = refiner_.colours(result.camera_from_object, appearance);
-      } else if (tells_shading) {
-        shading = refiner_.shading_evidence(best.camera_from_object, exact_->contour(),
-                                            blur_of(best.camera_from_object), appearance);
-      } else {
-        moved_edges = refiner_.moved_edges(best.camera_from_object, motion, appearance);
-      }
-    });
-    confirmation_ = confirmation_of(best, chance);
-    uncertainty_.update(motion_.seen_sigma(), best.unseen,
-                        kEdgeError_px * kEdgeError_px * best.error_px2);
-    quality_ = confirmation_ * uncertainty_.probability_within(kRight_mm, kRight_deg * kDegree,
-                                                               found.rotation * symmetry_.axis);
-    const bool confirmed = confirms(confirmation_);
-    if (!confirmed && lost_sight) {
-      // Go on searching around the pose of the first bad frame.
-      motion_.reset();
-      return;
-    }
-    center_ = found;
-    if (bad_frames() < 2) motion_.observe(last, center_);  // else it took several frames
-    if (confirmed) {
-      appearance_->learn(seen.object, seen.beside);
-      if (!lost_sight) exposure_.observe(moved_edges);
-      learn_shading(shading);
-    }
+    result.camera_from_object = best.camera_from_object;
+    result.camera_from_object.rotation =
+        symmetry_.fold(best.camera_from_object.rotation, last.rotation);
+    result.best_camera_from_object = result.camera_from_object;
+    judge_and_learn(best, filter_.to_center(result.camera_from_object));
   }
 
   Judgement judge(const TrackResult& /*result*/) override {
@@ -389,6 +350,54 @@ class DefaultTracker final : public PoseFilterTracker {
     return starts;
   }
 
+  /// What the image says of the frame's pose, `found` (camera_from_center), and what it teaches for
+  /// the next ones.
+  void judge_and_learn(const Refiner::Result& best, const Pose& found) {
+    const Pose last = center_;
+    const bool lost_sight = bad_frames() > 0;
+    const Appearance& appearance = *appearance_;
+    double chance = 0;
+    Refiner::Colours seen;
+    std::vector<MovedEdge> moved_edges;
+    ShadingEvidence shading;
+    const Twist motion = twist_between(last, found);
+    const bool blur_turn = frame_number_ % kTellingFrames == kTellingFrames - 1;
+    const bool tells_blur =
+        exact_ && blur_turn &&
+        displacement_mm(motion, mesh().radius_mm()) > kTellingMotion_px * mm_per_px(found);
+    const bool tells_shading = exact_ && !blur_turn;
+    workers_.each(tells_blur || tells_shading ? 3 : 2, 1, [&](std::size_t i) {
+      if (i == 0) {
+        chance = refiner_.chance(best.camera_from_object);
+      } else if (i == 1) {
+        seen = refiner_.colours(best.camera_from_object, appearance);
+      } else if (tells_shading) {
+        shading = refiner_.shading_evidence(best.camera_from_object, exact_->contour(),
+                                            blur_of(best.camera_from_object), appearance);
+      } else {
+        moved_edges = refiner_.moved_edges(best.camera_from_object, motion, appearance);
+      }
+    });
+    confirmation_ = confirmation_of(best, chance);
+    uncertainty_.update(motion_.seen_sigma(), best.unseen,
+                        kEdgeError_px * kEdgeError_px * best.error_px2);
+    quality_ = confirmation_ * uncertainty_.probability_within(kRight_mm, kRight_deg * kDegree,
+                                                               found.rotation * symmetry_.axis);
+    const bool confirmed = confirms(confirmation_);
+    if (!confirmed && lost_sight) {
+      // Go on searching around the pose of the first bad frame.
+      motion_.reset();
+      return;
+    }
+    center_ = found;
+    if (bad_frames() < 2) motion_.observe(last, center_);  // else it took several frames
+    if (confirmed) {
+      appearance_->learn(seen.object, seen.beside);
+      if (!lost_sight) exposure_.observe(moved_edges);
+      learn_shading(shading);
+    }
+  }
+
   void learn_shading(const ShadingEvidence& evidence) {
     shading_.observe(evidence);
     refiner_.set_shading_share(shading_.share());
@@ -429,7 +438,7 @@ class DefaultTracker final : public PoseFilterTracker {
   }
 
   double mm_per_px(const Pose& camera_from_center) const {
-    return std::max(kNearPlane_mm, camera_from_center.translation_mm.z()) / camera().fx_px;
+    return PoseSearch::mm_per_px(camera_from_center, camera().fx_px);
   }
 
   double likelihood(const Refiner::Result& result) const {

@@ -59,11 +59,11 @@ cv::Rect PoseFilterTracker::window(const Pose& camera_from_center, double radius
   const double z_mm = camera_from_center.translation_mm.z();
   if (!(z_mm > 1.2 * radius_mm)) return whole;
   const Eigen::Vector2d middle = camera().project(camera_from_center.translation_mm);
-  const double half = camera().fx_px * radius_mm / (z_mm - radius_mm) + margin_px;
-  if (!(middle.norm() < 1e6) || !(half < 1e6)) return whole;
-  const int side = static_cast<int>(2 * half);
-  const cv::Rect around = whole & cv::Rect(static_cast<int>(middle.x() - half),
-                                           static_cast<int>(middle.y() - half), side, side);
+  const Eigen::Vector2d focal_px(camera().fx_px, camera().fy_px);
+  const Eigen::Vector2d half = (focal_px * (radius_mm / (z_mm - radius_mm))).array() + margin_px;
+  if (!(middle.norm() < 1e6) || !(half.norm() < 1e6)) return whole;
+  const Eigen::Vector2i corner = (middle - half).cast<int>(), size = (2 * half).cast<int>();
+  const cv::Rect around = whole & cv::Rect(corner.x(), corner.y(), size.x(), size.y());
   return around.area() >= 256 ? around : whole;
 }
 

@@ -15,8 +15,8 @@ constexpr double kExpectation = 0.1;    // weight of the motion model beside the
 constexpr double kLeastSpread_px = 0.15;
 constexpr std::size_t kStarts = 4;   // particles of the first layer that are refined
 constexpr double kApart_rad = 0.07;  // of starts: turn, and shift in radii of the object
-constexpr double kReach_px = 10.0;
-constexpr std::uint32_t kHops = 12, kRounds = 2;  // hops of a round start at the same pose
+constexpr double kStartReach_px = 10.0;
+constexpr std::uint32_t kHops = 12, kHopRounds = 2;  // hops of a round start at the same pose
 constexpr double kHop_px = 6.0, kHopReach_px = 6.0;
 constexpr std::uint32_t kHopLayer = 1000;  // of random numbers: behind those of all layers
 
@@ -30,8 +30,8 @@ PoseSearch::PoseSearch(PoseFilter& filter, const Refiner& refiner, Workers& work
       effort_(effort),
       radius_mm_(radius_mm) {}
 
-Refiner::Result PoseSearch::run(const Expectation& expected, const Colours& colours, RandomKey key,
-                                double focal_px) {
+Refiner::Result PoseSearch::run(const Expectation& expected, const ColourCue& colours,
+                                RandomKey key, double focal_px) {
   starts_.clear();
   PoseFilter::Layer step;
   step.diffusion = (kWide * expected.sigma).asDiagonal();
@@ -57,7 +57,7 @@ Refiner::Result PoseSearch::run(const Expectation& expected, const Colours& colo
   const Pose expected_pose = filter_.to_object(expected.camera_from_center);
   found_.resize(starts_.size());
   workers_.each(starts_.size(), 1, [&](std::size_t i) {
-    found_[i] = refiner_.refine(filter_.to_object(starts_[i]), expected_pose, kReach_px,
+    found_[i] = refiner_.refine(filter_.to_object(starts_[i]), expected_pose, kStartReach_px,
                                 colours.appearance);
   });
   return *std::ranges::max_element(
@@ -69,7 +69,7 @@ Refiner::Result PoseSearch::hop_from(const Refiner::Result& start, const Expecta
   const Pose expected_pose = filter_.to_object(expected.camera_from_center);
   Refiner::Result best = start;
   found_.resize(kHops);
-  for (std::uint32_t round = 0; round < kRounds; ++round) {
+  for (std::uint32_t round = 0; round < kHopRounds; ++round) {
     key.layer = kHopLayer + round;
     const Pose here = filter_.to_center(best.camera_from_object);
     workers_.each(kHops, 1, [&](std::size_t i) {
@@ -100,7 +100,7 @@ Pose PoseSearch::beside(const Pose& camera_from_center, const RandomKey& key,
 }
 
 double PoseSearch::mm_per_px(const Pose& camera_from_center, double focal_px) {
-  return std::abs(camera_from_center.translation_mm.z()) / focal_px;
+  return std::max(kNearPlane_mm, camera_from_center.translation_mm.z()) / focal_px;
 }
 
 void PoseSearch::collect_starts() {

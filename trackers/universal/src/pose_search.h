@@ -44,7 +44,7 @@ class PoseSearch {
   PoseSearch(PoseFilter& filter, const Refiner& refiner, Workers& workers, const Effort& effort,
              double radius_mm);
 
-  struct Colours {
+  struct ColourCue {
     const Appearance& appearance;
     double weight = 0;  ///< beside the edges, as the rating's c
   };
@@ -55,7 +55,7 @@ class PoseSearch {
 
   /// The likeliest refined pose. `key` decides the random numbers, but for its layer. `focal_px`
   /// translates pixels to millimetres.
-  Refiner::Result run(const Expectation& expected, const Colours& colours, RandomKey key,
+  Refiner::Result run(const Expectation& expected, const ColourCue& colours, RandomKey key,
                       double focal_px);
 
   /// Hops from basin to basin (Wales and Doye, J. Phys. Chem. A 1997; never to a worse one): poses
@@ -64,8 +64,10 @@ class PoseSearch {
   Refiner::Result hop_from(const Refiner::Result& start, const Expectation& expected,
                            const Appearance& appearance, RandomKey key, double focal_px);
 
- private:
+  /// Of an object at a pose, as wide as a pixel; no nearer than the near plane.
   static double mm_per_px(const Pose& camera_from_center, double focal_px);
+
+ private:
   /// A pose a few pixels beside another; `key` decides which.
   Pose beside(const Pose& camera_from_center, const RandomKey& key, double focal_px) const;
   /// The best particles that differ from each other.
