@@ -124,6 +124,23 @@ TEST_F(BendsOfARoundedBox, PointAcrossItsEdges) {
   }
 }
 
+TEST_F(BendsOfARoundedBox, AreNoneWhereThereIsAHole) {
+  const test::Drawing drawing = test::draw(RasterModel(mesh, false), camera, pose);
+  const auto bends_in = [&](const cv::Mat& depth_mm) {
+    return SurfaceBends().find(depth_mm, {0, 0}, camera, kJump * mesh->diameter_mm());
+  };
+  const Bends bends = bends_in(drawing.depth_mm);
+  ASSERT_GT(bends.size(), 50U);
+  for (const auto& bend : bends) {
+    const cv::Point hole(cvRound(bend.place_px.x()), cvRound(bend.place_px.y()));
+    cv::Mat holed = drawing.depth_mm.clone();
+    holed.at<float>(hole) = 0;
+    for (const auto& other : bends_in(holed)) {
+      EXPECT_NE(cv::Point(cvRound(other.place_px.x()), cvRound(other.place_px.y())), hole);
+    }
+  }
+}
+
 TEST_F(BendsOfARoundedBox, AreNoneWhereItIsRoundedWidely) {
   EXPECT_EQ(bends_of(test::make_rounded_box(sides_mm, 12), pose).size(), 0U);
 }

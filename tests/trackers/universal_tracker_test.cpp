@@ -42,7 +42,7 @@ struct Mode {
   const char* particles;
   const char* layers;
   /// Quality on pure noise. The default mode trusts whatever edges are near, until it knows
-  /// colours.
+  /// colours: 1 asks for a probability only.
   double most_by_chance;
   double reach_mm, reach_deg;  ///< what half of the errors on `moving_sequence` must not exceed
 

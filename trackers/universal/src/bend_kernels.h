@@ -24,7 +24,7 @@ struct BendJob {
   float* normals[3];
   /// How far the normal turns from kReach_px before a pixel to as much behind it, in the direction
   /// in which it turns fastest, about the angle, rad; kFlat at least, 0 where there is no surface
-  /// all around.
+  /// on all four sides. The pixel's own depth is not asked for.
   float* turns;
 };
 

@@ -16,7 +16,7 @@
 namespace anneal6d {
 namespace {
 
-constexpr std::size_t kPosesPerTask = 4;
+constexpr std::size_t kDrawnPerTask = 4;
 
 /// What one thread works with.
 struct Workspace {
@@ -54,7 +54,7 @@ class CpuScorer final : public PoseScorer {
   void score(std::span<const Pose> camera_from_object, std::span<EdgeMatch> matches) override {
     assert(camera_from_object.size() == matches.size());
     if (frame_binary_.empty()) throw ConfigError("scorer: set_edges() comes before score()");
-    workers_.each(matches.size(), kPosesPerTask, [&](std::size_t i) {
+    workers_.each(matches.size(), kDrawnPerTask, [&](std::size_t i) {
       matches[i] = score_one(workspaces_.local(), camera_from_object[i]);
     });
   }
@@ -62,7 +62,7 @@ class CpuScorer final : public PoseScorer {
  private:
   EdgeMatch score_one(Workspace& workspace, const Pose& camera_from_object) const {
     // Canny's smoothing-free gradients and non-maximum suppression reach two pixels, a Gaussian
-    // three of its sigmas.
+    // four of its sigmas.
     const int reach_px = 2 + static_cast<int>(std::ceil(4 * edges_.blur_sigma_px));
     const int margin_px = reach_px + edges_.dilation_px;
     if (edges_.blur_sigma_px <= 0) {

@@ -22,7 +22,7 @@ ExactContour::ExactContour(const ScorerSetup& setup)
           std::clamp(16.0 / static_cast<double>(setup.mesh->triangles().size()), 0.001, 0.003)) {}
 
 void ExactContour::draw(const Pose& camera_from_object, Workers& workers) {
-  if (looks_as_drawn(camera_from_object)) return;
+  if (drawn_near_by(camera_from_object)) return;
   contour_ = painter_.paint_contour(camera_from_object, Refiner::kMostPolished, 0, workers);
   // What the image's border cuts off may come into sight with a shift.
   if (painter_.all_in_image()) {
@@ -32,7 +32,7 @@ void ExactContour::draw(const Pose& camera_from_object, Workers& workers) {
   }
 }
 
-bool ExactContour::looks_as_drawn(const Pose& camera_from_object) const {
+bool ExactContour::drawn_near_by(const Pose& camera_from_object) const {
   if (!drawn_) return false;
   const Eigen::Vector3d drawn_from_mm = drawn_->inverse().translation_mm;
   const Eigen::Vector3d seen_from_mm = camera_from_object.inverse().translation_mm;

@@ -13,13 +13,14 @@
 
 namespace anneal6d {
 
-/// The object's contour exactly as it is at a pose, drawn while tracking.
+/// The object's contour at a pose, drawn while tracking: without what views' contours, seen from a
+/// few degrees beside it, leave open.
 class ExactContour {
  public:
   explicit ExactContour(const ScorerSetup& setup);
 
-  /// Draws the contour at a pose, unless the object looks the same as when it was drawn last, but
-  /// for a shift and a turn of the image.
+  /// Draws the contour at a pose, unless the last one was drawn from no more than 1.5 degrees
+  /// beside it, and as near: shifts and turns of the image do not matter.
   void draw(const Pose& camera_from_object, Workers& workers);
 
   /// Forgets what was drawn.
@@ -33,7 +34,7 @@ class ExactContour {
   double feigned_share() const { return feigned_share_; }
 
  private:
-  bool looks_as_drawn(const Pose& camera_from_object) const;
+  bool drawn_near_by(const Pose& camera_from_object) const;
 
   RasterModel model_;
   ViewPainter painter_;

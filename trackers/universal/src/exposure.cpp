@@ -8,7 +8,7 @@
 namespace anneal6d {
 namespace {
 
-constexpr double kFading = 0.05;  // of what was seen, with each frame
+constexpr double kBinFading = 0.05;  // of what was seen, with each frame
 constexpr double kBin_px = 1.5;
 constexpr double kLeastEdges = 5;  // in a bin that says something
 constexpr double kSpread = 0.1;    // standard deviation of the sharpness of edges, px^-2
@@ -19,9 +19,9 @@ constexpr double kSureness = 4.0;  // standard deviations: edges differ, too
 void Exposure::observe(std::span<const MovedEdge> edges) {
   if (edges.empty()) return;
   for (Bin& bin : bins_) {
-    bin.count *= 1 - kFading;
-    bin.sharpness *= 1 - kFading;
-    bin.moved2 *= 1 - kFading;
+    bin.count *= 1 - kBinFading;
+    bin.sharpness *= 1 - kBinFading;
+    bin.moved2 *= 1 - kBinFading;
   }
   for (const MovedEdge& edge : edges) {
     const auto place = static_cast<int>(edge.moved_px / kBin_px);

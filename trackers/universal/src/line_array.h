@@ -15,7 +15,6 @@ class LineArray {
   static constexpr std::size_t kEntriesOfALine = 64 / sizeof(T);
 
   void resize(std::size_t size) { lines_.resize((size + kEntriesOfALine - 1) / kEntriesOfALine); }
-  std::size_t size() const { return lines_.size() * kEntriesOfALine; }
   T* data() { return lines_.data()->entries; }
 
  private:

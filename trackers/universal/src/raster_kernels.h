@@ -2,7 +2,6 @@
 // Copyright (c) 2026 The Anneal6D authors
 #pragma once
 
-#include <bit>
 #include <cstddef>
 #include <cstdint>
 
@@ -20,11 +19,6 @@ namespace anneal6d {
 /// converted. What remains of the range is for roundings.
 inline constexpr float kFarDepth = 1.0F + 1.0F / 64;
 inline constexpr float kNearDepth = 2.0F - 1.0F / 64;
-
-/// The depth, as stored, of a pixel that is not 0.
-inline float depth_of_pixel(std::uint32_t pixel) {
-  return std::bit_cast<float>(0x3F800000U | (pixel >> 8 & 0x7FFFFFU));
-}
 
 /// A vertex on the image: position in pixels, stored depth, brightness 0..255 (0..1 with texture).
 /// Together, since triangles fetch their corners one by one.

@@ -42,7 +42,7 @@ void TakePictures(const PictureJob& job) {
         hn::BlendedStore(grey, hn::FirstN(u8, count), u8, grey_row + x);
       }
       if (!depth_row) continue;
-      // See depth_of_pixel.
+      // The exponent is that of numbers from 1 to 2, see kFarDepth.
       const auto bits = hn::Or(hn::And(hn::ShiftRight<8>(pixels), hn::Set(ui, 0x7FFFFF)),
                                hn::Set(ui, 0x3F800000));
       const auto inv_z =

@@ -2,8 +2,6 @@
 // Copyright (c) 2026 The Anneal6D authors
 #include "raster_kernels.h"
 
-// Vectors are members of structs here, which those without a fixed size can't be.
-#define HWY_DISABLED_TARGETS (HWY_SVE | HWY_SVE2 | HWY_SVE_256 | HWY_SVE2_128 | HWY_RVV)
 #undef HWY_TARGET_INCLUDE
 #define HWY_TARGET_INCLUDE "raster_triangles.cpp"
 #include <hwy/foreach_target.h>

@@ -70,9 +70,9 @@ class Refiner {
   /// Points of a contour that polish() looks at, at most.
   static constexpr std::size_t kMostPolished = 360;
 
-  /// Goes on from a refined pose with `view`, the contour exactly as at that pose. What the edges
-  /// leave open stays as it is; for `feigned_share` see ContourMatch::expect. `blur`: the object's
-  /// motion while the shutter is open.
+  /// Goes on from a refined pose with `view`, the contour as drawn there or a degree or so
+  /// beside it. What the edges leave open stays as it is; for `feigned_share` see
+  /// ContourMatch::expect. `blur`: the object's motion while the shutter is open.
   Result polish(const Result& refined, const ModelView& view, double feigned_share,
                 const Twist& blur, const Appearance& appearance) const;
 

@@ -15,7 +15,7 @@
 namespace anneal6d {
 namespace {
 
-constexpr std::size_t kPosesPerTask = 64;
+constexpr std::size_t kLookedUpPerTask = 64;
 
 class SparseScorer final : public PoseScorer {
  public:
@@ -33,7 +33,7 @@ class SparseScorer final : public PoseScorer {
   void score(std::span<const Pose> camera_from_object, std::span<EdgeMatch> matches) override {
     assert(camera_from_object.size() == matches.size());
     if (frame_packed_.size().empty()) throw ConfigError("scorer: set_edges() comes before score()");
-    workers_.each(matches.size(), kPosesPerTask,
+    workers_.each(matches.size(), kLookedUpPerTask,
                   [&](std::size_t i) { matches[i] = score_one(camera_from_object[i]); });
   }
 

@@ -11,7 +11,6 @@
 namespace anneal6d {
 namespace {
 
-constexpr int kReach_px = BendJob::kReach_px;
 constexpr int kBeside_px = 4;       // where a bend must be over
 constexpr float kLeastTurn = 0.5F;  // rad
 constexpr float kBesideShare = 0.6F;
@@ -60,7 +59,7 @@ const std::vector<SurfaceBends::Bend>& SurfaceBends::find(const cv::Mat& depth_m
   for (int y = kBeside_px; y < depth_mm.rows - kBeside_px; ++y) {
     for (int x = kBeside_px; x < depth_mm.cols - kBeside_px; ++x) {
       const float here = turn_at(x, y);
-      if (here < kLeastTurn) continue;
+      if (here < kLeastTurn || depth_mm.at<float>(y, x) == 0) continue;
       // A ridge falls off on both sides along the axis in which the surface turns faster. Most
       // places are none along either.
       const auto falls_off = [&](int dx, int dy) {
@@ -69,8 +68,9 @@ const std::vector<SurfaceBends::Bend>& SurfaceBends::find(const cv::Mat& depth_m
       };
       const bool ridge_along_x = falls_off(1, 0), ridge_along_y = falls_off(0, 1);
       if (!(ridge_along_x | ridge_along_y)) continue;
-      const Eigen::Vector3f along_x = normal_at(x + kReach_px, y) - normal_at(x - kReach_px, y);
-      const Eigen::Vector3f along_y = normal_at(x, y + kReach_px) - normal_at(x, y - kReach_px);
+      constexpr int reach_px = BendJob::kReach_px;
+      const Eigen::Vector3f along_x = normal_at(x + reach_px, y) - normal_at(x - reach_px, y);
+      const Eigen::Vector3f along_y = normal_at(x, y + reach_px) - normal_at(x, y - reach_px);
       const float xx_less_yy = along_x.squaredNorm() - along_y.squaredNorm();
       if (!(xx_less_yy >= 0 ? ridge_along_x : ridge_along_y)) continue;
       const Eigen::Vector2d across = half_the_angle({xx_less_yy, 2.0F * along_x.dot(along_y)});

@@ -61,8 +61,7 @@ class ThesisTracker final : public PoseFilterTracker {
   }
 
  private:
-  /// Of a sphere around the object that holds it wherever particles may go within the frame's
-  /// layers.
+  /// Of a sphere around the object that holds it wherever a layer's noise may take it.
   double reached_mm() const {
     return mesh().radius_mm() + kFarthest * options_.sigma_mm + last_motion_.tail<3>().norm();
   }

@@ -10,7 +10,8 @@ namespace anneal6d {
 /// The trackers of this module: "universal".
 TrackerTable tracker_plugins();
 
-/// The scorers of this module, which need nothing but the processor: "cpu".
+/// The scorers of this module, which need nothing but the processor: "cpu"
+/// and "sparse".
 ScorerTable cpu_scorer_plugins();
 
 }  // namespace anneal6d
