@@ -34,7 +34,7 @@ std::size_t ContourMatch::project(const Pose& camera_from_object, const ModelVie
                                   std::size_t most_points) {
   const auto samples = std::span(view.contour).first(std::min(most_points, view.contour.size()));
   reserve(samples.size());
-  start_ = {camera_from_object.rotation, camera_from_object * center_mm_};
+  start_ = with_origin_at(center_mm_, camera_from_object);
   motion_.setZero();
   blurred_ = false;
 
@@ -246,8 +246,7 @@ void ContourMatch::step(double reach_px) {
 }
 
 Pose ContourMatch::camera_from_object() const {
-  const Pose centered = moved(start_, motion_);
-  return {centered.rotation, centered * -center_mm_};
+  return with_origin_at(-center_mm_, moved(start_, motion_));
 }
 
 ContourMatch::Matrix6 ContourMatch::gain(double feigned_share) const {

@@ -7,9 +7,11 @@
 #include <optional>
 #include <vector>
 
+#include "confirmation.h"
 #include "exact_contour.h"
 #include "exposure.h"
 #include "motion_model.h"
+#include "neighbourhood.h"
 #include "pose_filter_tracker.h"
 #include "pose_search.h"
 #include "pose_uncertainty.h"
@@ -27,10 +29,7 @@ constexpr double kPoor = 0.85;  // of the usual fit: less is searched once
 // What a second attempt found, by colours, must be confirmed better.
 constexpr double kSecondAttempt = 1.06;
 constexpr double kFitRise = 0.3, kFitFall = 0.03;  // of the newest frame in the usual fit
-constexpr double kNeighbour_px = 4.0, kNeighbourShift_px = 3.0;
 constexpr double kNeighbourReach_px = 3.0;
-constexpr double kNeighbourApart_px = 1.0;  // less is the same place
-constexpr std::uint32_t kNeighbourMotions = 4;
 // Of the weakest motion that edges leave open: more, and the exact contour looks along it in every
 // frame, so many steps far.
 constexpr double kHardlySeen = 0.3;
@@ -60,17 +59,6 @@ constexpr std::uint32_t kTellingFrames = 3;
 constexpr double kTellingMotion_px = 2.0;
 constexpr double kRight_mm = 10, kRight_deg = 2;  // what quality is the probability of
 
-/// Share of frames with such support beyond chance (1: all that is possible, 0: none) whose pose
-/// was right to 10 mm and 2 degrees, by and large; see README.md, "Quality".
-double quality_of(double support_beyond_chance) {
-  return 0.92 * std::clamp((support_beyond_chance + 0.05) / 0.28, 0.0, 1.0) +
-         0.08 * std::clamp((support_beyond_chance - 0.25) / 0.5, 0.0, 1.0);
-}
-
-double confirmation_of(const Refiner::Result& result, double chance) {
-  return quality_of((result.support - chance) / std::max(1e-6, 1.0 - chance));
-}
-
 /// First the motion model's guess is refined; colours, particles and neighbouring poses may find a
 /// better one, and the contour exactly as it is there has the last word.
 class DefaultTracker final : public PoseFilterTracker {
@@ -87,6 +75,8 @@ class DefaultTracker final : public PoseFilterTracker {
         region_(*views_, setup.camera, workers_),
         search_(filter_, refiner_, workers_, {options.particles, options.layers},
                 setup.mesh->radius_mm()),
+        neighbourhood_(setup.mesh->center_mm().cast<double>(), setup.mesh->radius_mm(),
+                       setup.camera.fx_px),
         motion_(options.sigma_mm, options.sigma_deg * kDegree) {
     filter_.set_region_cue(region_);
     if (drawing.mesh->triangles().size() < kLargeModel) {
@@ -201,7 +191,7 @@ class DefaultTracker final : public PoseFilterTracker {
   /// Whether a search may end. What is usual says nothing of an object that was lost sight of.
   bool suffices(const Refiner::Result& result) const {
     if (bad_frames() == 0) return supported_as_usual(result, kWider);
-    return confirms(confirmation_of(result, refiner_.chance(result.camera_from_object)));
+    return confirms(confirmation_of(result.support, refiner_.chance(result.camera_from_object)));
   }
 
   /// Particles search, wider and wider, for a pose that the image confirms better than the refined
@@ -237,9 +227,9 @@ class DefaultTracker final : public PoseFilterTracker {
                                                   const Appearance& appearance,
                                                   const std::function<void()>& meanwhile) {
     std::vector<Pose> starts;
-    for (std::uint32_t motion = 0; motion < kNeighbourMotions; ++motion) {
-      if (exact_ && motion != frame_number_ % kNeighbourMotions) continue;
-      for (const Pose& start : beside(refined, motion)) starts.push_back(start);
+    for (std::uint32_t motion = 0; motion < Neighbourhood::kMotions; ++motion) {
+      if (exact_ && motion != frame_number_ % Neighbourhood::kMotions) continue;
+      for (const Pose& start : neighbourhood_.beside(refined, motion)) starts.push_back(start);
     }
     std::vector<Refiner::Result> others(starts.size());
     Refiner::Result best;  // the refined one first, with as few points as the others
@@ -260,7 +250,7 @@ class DefaultTracker final : public PoseFilterTracker {
     double most = likely(best);
     for (const Refiner::Result& other : others) {
       if (likely(other) <= most) continue;
-      if (same_place(other.camera_from_object, refined.camera_from_object)) continue;
+      if (neighbourhood_.same_place(other.camera_from_object, refined.camera_from_object)) continue;
       most = likely(other);
       better = &other;
     }
@@ -282,7 +272,8 @@ class DefaultTracker final : public PoseFilterTracker {
     };
     // The little that shows a mug's turn while its handle is hidden adds up over frames. The turn
     // of a body of revolution does not matter.
-    const bool blind = symmetry_.axis.isZero() && unseen_share(refined) > kHardlySeen;
+    const bool blind =
+        symmetry_.axis.isZero() && neighbourhood_.unseen_share(refined) > kHardlySeen;
     const std::vector<Pose> starts = rival_starts(refined, blind);
     const auto examine = [&](const Pose& pose) {
       return refiner_.examine_in(exact.contour(), pose, appearance,
@@ -299,8 +290,9 @@ class DefaultTracker final : public PoseFilterTracker {
             refiner_.refine_in(exact.contour(), starts[i - 1], kNeighbourReach_px, appearance);
       }
     });
-    poses.erase(std::remove_if(poses.begin() + 1, poses.end(),
-                               [&](const Pose& other) { return same_place(other, poses[0]); }),
+    poses.erase(std::remove_if(
+                    poses.begin() + 1, poses.end(),
+                    [&](const Pose& other) { return neighbourhood_.same_place(other, poses[0]); }),
                 poses.end());
     poses.push_back(refined.camera_from_object);
     std::vector<Refiner::Result> examined(poses.size());
@@ -339,12 +331,13 @@ class DefaultTracker final : public PoseFilterTracker {
   std::vector<Pose> rival_starts(const Refiner::Result& refined, bool blind) const {
     std::vector<Pose> starts{filter_.to_object(expected_.camera_from_center)};
     const auto look_along = [&](std::uint32_t motion, double steps) {
-      for (const Pose& start : beside(refined, motion, steps)) starts.push_back(start);
+      for (const Pose& start : neighbourhood_.beside(refined, motion, steps))
+        starts.push_back(start);
     };
     if (blind) {
       for (const double steps : kBlindSteps) look_along(0, steps);
     }
-    for (std::uint32_t motion = blind ? 1 : 0; motion < kNeighbourMotions; ++motion) {
+    for (std::uint32_t motion = blind ? 1 : 0; motion < Neighbourhood::kMotions; ++motion) {
       look_along(motion, 1.0);
     }
     return starts;
@@ -378,7 +371,7 @@ class DefaultTracker final : public PoseFilterTracker {
         moved_edges = refiner_.moved_edges(best.camera_from_object, motion, appearance);
       }
     });
-    confirmation_ = confirmation_of(best, chance);
+    confirmation_ = confirmation_of(best.support, chance);
     uncertainty_.update(motion_.seen_sigma(), best.unseen,
                         kEdgeError_px * kEdgeError_px * best.error_px2);
     quality_ = confirmation_ * uncertainty_.probability_within(kRight_mm, kRight_deg * kDegree,
@@ -407,34 +400,6 @@ class DefaultTracker final : public PoseFilterTracker {
   Twist blur_of(const Pose& camera_from_object) const {
     if (bad_frames() > 0) return Twist::Zero();
     return exposure_.share() * twist_between(center_, filter_.to_center(camera_from_object));
-  }
-
-  /// Poses on both sides of a refined one. False bottoms lie along the motions that the contour
-  /// shows least (`motion` 0 and 2) and, since either edge of a rim is taken for the other, a few
-  /// pixels aside (1 and 3); so many steps away.
-  std::array<Pose, 2> beside(const Refiner::Result& refined, std::uint32_t motion,
-                             double steps = 1.0) const {
-    const Pose center = filter_.to_center(refined.camera_from_object);
-    const Twist step = motion % 2 == 0
-                           ? Twist(kNeighbour_px * steps * refined.weak_motions[motion / 2])
-                           : Twist(kNeighbourShift_px * steps * mm_per_px(center) *
-                                   Twist::Unit(motion == 1 ? 4 : 3));
-    return {filter_.to_object(moved(center, -step)), filter_.to_object(moved(center, step))};
-  }
-
-  /// How much of the weakest motion edges leave open, 0..1.
-  double unseen_share(const Refiner::Result& refined) const {
-    const Twist& weakest = refined.weak_motions[0];
-    const double radius_mm = mesh().radius_mm();
-    return displacement_mm(refined.unseen * weakest, radius_mm) /
-           std::max(1e-9, displacement_mm(weakest, radius_mm));
-  }
-
-  /// Whether poses are in one basin, as far as that can be told from how near they are.
-  bool same_place(const Pose& a_camera_from_object, const Pose& b_camera_from_object) const {
-    const Pose center = filter_.to_center(a_camera_from_object);
-    const Twist apart = twist_between(center, filter_.to_center(b_camera_from_object));
-    return displacement_mm(apart, mesh().radius_mm()) < kNeighbourApart_px * mm_per_px(center);
   }
 
   double mm_per_px(const Pose& camera_from_center) const {
@@ -474,6 +439,7 @@ class DefaultTracker final : public PoseFilterTracker {
   Refiner refiner_;
   RegionCue region_;
   PoseSearch search_;
+  Neighbourhood neighbourhood_;
   std::unique_ptr<ExactContour> exact_;  ///< null for very large models
   MotionModel motion_;
   PoseUncertainty uncertainty_;

@@ -14,11 +14,11 @@ PoseFilter::PoseFilter(PoseScorer& scorer, const RatingOptions& rating,
     : scorer_(scorer), rating_(rating), center_mm_(center_mm), workers_(workers) {}
 
 Pose PoseFilter::to_center(const Pose& camera_from_object) const {
-  return {camera_from_object.rotation, camera_from_object * center_mm_};
+  return with_origin_at(center_mm_, camera_from_object);
 }
 
 Pose PoseFilter::to_object(const Pose& camera_from_center) const {
-  return {camera_from_center.rotation, camera_from_center * -center_mm_};
+  return with_origin_at(-center_mm_, camera_from_center);
 }
 
 void PoseFilter::predict(std::span<Pose> states, const RandomKey& key) {

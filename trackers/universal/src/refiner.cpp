@@ -66,7 +66,7 @@ void Refiner::set_image(const cv::Mat& image, const cv::Rect& window) {
 }
 
 Pose Refiner::to_center(const Pose& camera_from_object) const {
-  return {camera_from_object.rotation, camera_from_object * views_.center_mm()};
+  return with_origin_at(views_.center_mm(), camera_from_object);
 }
 
 ContourMatch Refiner::match() const {

@@ -19,6 +19,11 @@ inline Pose moved(const Pose& pose, const Twist& twist) {
           pose.translation_mm + twist.tail<3>()};
 }
 
+/// The pose of axes parallel to the object's whose origin is at `place_mm` in its frame.
+inline Pose with_origin_at(const Eigen::Vector3d& place_mm, const Pose& pose) {
+  return {pose.rotation, pose * place_mm};
+}
+
 /// The twist that moves `from` to `to`.
 inline Twist twist_between(const Pose& from, const Pose& to) {
   Twist twist;
