@@ -60,7 +60,7 @@ constexpr double kTellingMotion_px = 2.0;
 constexpr double kRight_mm = 10, kRight_deg = 2;  // what quality is the probability of
 
 /// First the motion model's guess is refined; colours, particles and neighbouring poses may find a
-/// better one, and the contour exactly as it is there has the last word.
+/// better one, and the contour drawn there has the last word.
 class DefaultTracker final : public PoseFilterTracker {
  public:
   DefaultTracker(const TrackerSetup& setup, const UniversalTrackerOptions& options)
@@ -403,7 +403,7 @@ class DefaultTracker final : public PoseFilterTracker {
   }
 
   double mm_per_px(const Pose& camera_from_center) const {
-    return PoseSearch::mm_per_px(camera_from_center, camera().fx_px);
+    return anneal6d::mm_per_px(camera_from_center, camera().fx_px);
   }
 
   double likelihood(const Refiner::Result& result) const {

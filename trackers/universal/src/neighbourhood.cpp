@@ -4,7 +4,6 @@
 
 #include <algorithm>
 
-#include "pose_search.h"
 #include "twist.h"
 
 namespace anneal6d {
@@ -18,10 +17,9 @@ constexpr double kApart_px = 1.0;  // less is the same place
 std::array<Pose, 2> Neighbourhood::beside(const Refiner::Result& refined, std::uint32_t motion,
                                           double steps) const {
   const Pose center = with_origin_at(center_mm_, refined.camera_from_object);
-  const Twist step = motion % 2 == 0
-                         ? Twist(kStep_px * steps * refined.weak_motions[motion / 2])
-                         : Twist(kStepAside_px * steps * PoseSearch::mm_per_px(center, focal_px_) *
-                                 Twist::Unit(motion == 1 ? 4 : 3));
+  const Twist step = motion % 2 == 0 ? Twist(kStep_px * steps * refined.weak_motions[motion / 2])
+                                     : Twist(kStepAside_px * steps * mm_per_px(center, focal_px_) *
+                                             Twist::Unit(motion == 1 ? 4 : 3));
   return {with_origin_at(-center_mm_, moved(center, -step)),
           with_origin_at(-center_mm_, moved(center, step))};
 }
@@ -29,7 +27,7 @@ std::array<Pose, 2> Neighbourhood::beside(const Refiner::Result& refined, std::u
 bool Neighbourhood::same_place(const Pose& a, const Pose& b) const {
   const Pose center = with_origin_at(center_mm_, a);
   const Twist apart = twist_between(center, with_origin_at(center_mm_, b));
-  return displacement_mm(apart, radius_mm_) < kApart_px * PoseSearch::mm_per_px(center, focal_px_);
+  return displacement_mm(apart, radius_mm_) < kApart_px * mm_per_px(center, focal_px_);
 }
 
 double Neighbourhood::unseen_share(const Refiner::Result& refined) const {

@@ -99,10 +99,6 @@ Pose PoseSearch::beside(const Pose& camera_from_center, const RandomKey& key,
   return moved(camera_from_center, sigma.cwiseProduct(random_twist(key)));
 }
 
-double PoseSearch::mm_per_px(const Pose& camera_from_center, double focal_px) {
-  return std::max(kNearPlane_mm, camera_from_center.translation_mm.z()) / focal_px;
-}
-
 void PoseSearch::collect_starts() {
   const auto states = filter_.states();
   const auto weights = filter_.weights();

@@ -64,9 +64,6 @@ class PoseSearch {
   Refiner::Result hop_from(const Refiner::Result& start, const Expectation& expected,
                            const Appearance& appearance, RandomKey key, double focal_px);
 
-  /// Of an object at a pose, as wide as a pixel; no nearer than the near plane.
-  static double mm_per_px(const Pose& camera_from_center, double focal_px);
-
  private:
   /// A pose a few pixels beside another; `key` decides which.
   Pose beside(const Pose& camera_from_center, const RandomKey& key, double focal_px) const;

@@ -3,10 +3,12 @@
 #pragma once
 
 #include <Eigen/Core>
+#include <algorithm>
 #include <cstdint>
 
 #include "anneal6d/framework/pose.h"
 #include "anneal6d/framework/random.h"
+#include "anneal6d/framework/shading.h"
 
 namespace anneal6d {
 
@@ -36,6 +38,12 @@ inline Twist twist_between(const Pose& from, const Pose& to) {
 /// by and large, mm.
 inline double displacement_mm(const Twist& twist, double radius_mm) {
   return twist.head<3>().norm() * radius_mm + twist.tail<3>().norm();
+}
+
+/// How far apart pixels are on an object at a pose, mm; no nearer than the near plane. `focal_px`:
+/// focal length.
+inline double mm_per_px(const Pose& camera_from_center, double focal_px) {
+  return std::max(kNearPlane_mm, camera_from_center.translation_mm.z()) / focal_px;
 }
 
 /// Six independent standard normals.
