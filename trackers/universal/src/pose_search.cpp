@@ -51,14 +51,14 @@ Refiner::Result PoseSearch::run(const Expectation& expected, const ColourCue& co
     step.incumbent = filter_.best();
     step.diffusion = narrowed_spread(mean, focal_px);
   }
+  const std::size_t from_afar = starts_.size();
   starts_.push_back(mean);
   starts_.push_back(filter_.best());
 
-  const Pose expected_pose = filter_.to_object(expected.camera_from_center);
   found_.resize(starts_.size());
   workers_.each(starts_.size(), 1, [&](std::size_t i) {
-    found_[i] = refiner_.refine(filter_.to_object(starts_[i]), expected_pose, kStartReach_px,
-                                colours.appearance);
+    found_[i] = refined(starts_[i], i < from_afar ? Lead::colours : Lead::edges, kStartReach_px,
+                        expected, colours.appearance);
   });
   return *std::ranges::max_element(
       found_, {}, [&](const Refiner::Result& found) { return likelihood(found, expected); });
@@ -66,7 +66,6 @@ Refiner::Result PoseSearch::run(const Expectation& expected, const ColourCue& co
 
 Refiner::Result PoseSearch::hop_from(const Refiner::Result& start, const Expectation& expected,
                                      const Appearance& appearance, RandomKey key, double focal_px) {
-  const Pose expected_pose = filter_.to_object(expected.camera_from_center);
   Refiner::Result best = start;
   found_.resize(kHops);
   for (std::uint32_t round = 0; round < kHopRounds; ++round) {
@@ -75,14 +74,23 @@ Refiner::Result PoseSearch::hop_from(const Refiner::Result& start, const Expecta
     workers_.each(kHops, 1, [&](std::size_t i) {
       RandomKey own = key;
       own.particle = static_cast<std::uint32_t>(i);
-      found_[i] = refiner_.refine(filter_.to_object(beside(here, own, focal_px)), expected_pose,
-                                  kHopReach_px, appearance);
+      found_[i] = refined(beside(here, own, focal_px), i % 2 == 0 ? Lead::colours : Lead::edges,
+                          kHopReach_px, expected, appearance);
     });
     for (const Refiner::Result& found : found_) {
       if (likelihood(found, expected) > likelihood(best, expected)) best = found;
     }
   }
   return best;
+}
+
+Refiner::Result PoseSearch::refined(const Pose& camera_from_center, Lead lead, double reach_px,
+                                    const Expectation& expected,
+                                    const Appearance& appearance) const {
+  Pose start = filter_.to_object(camera_from_center);
+  if (lead == Lead::colours) start = refiner_.approach(start, appearance);
+  return refiner_.refine(start, filter_.to_object(expected.camera_from_center), reach_px,
+                         appearance);
 }
 
 double PoseSearch::likelihood(const Refiner::Result& result, const Expectation& expected) const {

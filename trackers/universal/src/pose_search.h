@@ -65,6 +65,11 @@ class PoseSearch {
                            const Appearance& appearance, RandomKey key, double focal_px);
 
  private:
+  /// What brings a pose nearer before edges do: colours from farther off, where edges lead astray,
+  /// but not where an object's colours are those beside it.
+  enum class Lead { edges, colours };
+  Refiner::Result refined(const Pose& camera_from_center, Lead lead, double reach_px,
+                          const Expectation& expected, const Appearance& appearance) const;
   /// A pose a few pixels beside another; `key` decides which.
   Pose beside(const Pose& camera_from_center, const RandomKey& key, double focal_px) const;
   /// The best particles that differ from each other.
