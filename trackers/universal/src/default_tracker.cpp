@@ -24,8 +24,8 @@
 namespace anneal6d {
 namespace {
 
-constexpr double kSure = 0.92;  // of the usual support: there is no need to search
-constexpr double kPoor = 0.85;  // of the usual fit: less is searched once
+constexpr double kSure = 0.92;   // of the usual support: there is no need to search
+constexpr double kPoorer = 0.1;  // in evidence, than usual: that is searched once
 // What a second attempt found, by colours, must be confirmed better.
 constexpr double kSecondAttempt = 1.06;
 constexpr double kFitRise = 0.3, kFitFall = 0.03;  // of the newest frame in the usual fit
@@ -185,7 +185,8 @@ class DefaultTracker final : public PoseFilterTracker {
   }
 
   bool confirmed_as_usual(const Refiner::Result& result, double demand = 1) const {
-    return supported_as_usual(result, demand) && result.fit >= demand * kPoor * usual_fit_;
+    return supported_as_usual(result, demand) &&
+           likelihood(result) > usual_support_ + usual_fit_ - kPoorer;
   }
 
   /// Whether a search may end. What is usual says nothing of an object that was lost sight of.
