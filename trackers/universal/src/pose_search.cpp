@@ -16,7 +16,7 @@ constexpr double kLeastSpread_px = 0.15;
 constexpr std::size_t kStarts = 4;   // particles of the first layer that are refined
 constexpr double kApart_rad = 0.07;  // of starts: turn, and shift in radii of the object
 constexpr double kStartReach_px = 10.0;
-constexpr std::uint32_t kHops = 10, kHopRounds = 2;  // hops of a round start at the same pose
+constexpr std::uint32_t kHops = 8, kHopRounds = 2;  // hops of a round start at the same pose
 constexpr double kHop_px = 6.0, kHopReach_px = 6.0;
 constexpr std::uint32_t kHopLayer = 1000;  // of random numbers: behind those of all layers
 
