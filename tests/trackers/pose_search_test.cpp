@@ -5,7 +5,9 @@
 #include <gtest/gtest.h>
 
 #include <cmath>
+#include <numbers>
 #include <opencv2/imgproc.hpp>
+#include <vector>
 
 #include "synthetic.h"
 
@@ -102,6 +104,60 @@ TEST_F(HoppingOnABoxAmongClutter, IsTheSameOnAnyNumberOfThreads) {
       search.hop_from(first, expected_, appearance_, {.seed = 3}, camera_.fx_px).camera_from_object;
   EXPECT_EQ(alone.translation_mm, together.translation_mm);
   EXPECT_EQ(alone.rotation.coeffs(), together.rotation.coeffs());
+}
+
+/// The same box and fence, the box of a colour that the fence has not.
+class SearchingForAColouredBox : public HoppingOnABoxAmongClutter {
+ protected:
+  SearchingForAColouredBox() { refiner_.set_image(coloured_, {0, 0, image_.cols, image_.rows}); }
+
+  cv::Mat coloured() const {
+    const cv::Mat object = test::draw(model_, camera_, truth_).depth_mm > 0;
+    cv::Mat blue = image_.clone();
+    cv::Mat(0.5 * image_).copyTo(blue, object & (image_ != 150));  // but for the board
+    cv::Mat image;
+    cv::merge(std::vector{blue, image_, image_}, image);
+    return image;
+  }
+
+  /// Of searches from eight places, `shift_px` beside the truth, those that find it.
+  int found_from(double shift_px, const Appearance& appearance) {
+    int found = 0;
+    for (int i = 0; i < 8; ++i) {
+      const double angle = i * std::numbers::pi / 4;
+      const double mm = shift_px * truth_.translation_mm.z() / camera_.fx_px;
+      expected_.camera_from_center = filter_.to_center(truth_);
+      expected_.camera_from_center.translation_mm +=
+          mm * Eigen::Vector3d(std::cos(angle), std::sin(angle), 0);
+      const Refiner::Result result = search_.run(expected_, {appearance, 0}, {}, camera_.fx_px);
+      found += test::center_distance_mm(mesh(), result.camera_from_object, truth_) < 2;
+    }
+    return found;
+  }
+
+  const cv::Mat coloured_ = coloured();
+  Appearance learned_{3};
+};
+
+TEST_F(SearchingForAColouredBox, IsLedByColoursFromFartherThanEdgesReach) {
+  constexpr double kShift_px = 18;
+  refiner_.teach(truth_, learned_);
+  EXPECT_LE(found_from(kShift_px, Appearance(3)), 3) << "too easy to show anything";
+  EXPECT_GE(found_from(kShift_px, learned_), 6);
+}
+
+TEST_F(SearchingForAColouredBox, HopsFartherWhereColoursLead) {
+  constexpr double kShift_mm = 30;  // some forty pixels, of which a hop is six
+  refiner_.teach(truth_, learned_);
+  int found = 0;
+  for (std::uint32_t i = 0; i < 20; ++i) {
+    const Pose far = beside(mesh(), truth_, {0, 0, 0}, {i % 2 ? kShift_mm : -kShift_mm, 0, 0});
+    const Refiner::Result first = refiner_.examine(far, learned_);
+    const Refiner::Result then =
+        search_.hop_from(first, expected_, learned_, {.seed = 3, .frame = i}, camera_.fx_px);
+    found += test::center_distance_mm(mesh(), then.camera_from_object, truth_) < 2;
+  }
+  EXPECT_GE(found, 15);
 }
 
 // A motion three times as large as expected is strange, but not nine times as strange.
