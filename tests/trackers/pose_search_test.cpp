@@ -147,7 +147,7 @@ TEST_F(SearchingForAColouredBox, IsLedByColoursFromFartherThanEdgesReach) {
 }
 
 TEST_F(SearchingForAColouredBox, HopsFartherWhereColoursLead) {
-  constexpr double kShift_mm = 30;  // some forty pixels, of which a hop is six
+  constexpr double kShift_mm = 30;  // nearly sixty pixels, of which a hop is six
   refiner_.teach(truth_, learned_);
   int found = 0;
   for (std::uint32_t i = 0; i < 20; ++i) {
