@@ -26,7 +26,7 @@ namespace {
 
 constexpr double kSure = 0.92;   // of the usual support: there is no need to search
 constexpr double kPoorer = 0.1;  // in evidence, than usual: that is searched once
-// What a second attempt found, by colours, must be confirmed better.
+// What a second attempt found, by colours, must be supported better.
 constexpr double kSecondAttempt = 1.06;
 constexpr double kFitRise = 0.3, kFitFall = 0.03;  // of the newest frame in the usual fit
 constexpr double kNeighbourReach_px = 3.0;

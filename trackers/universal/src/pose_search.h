@@ -32,7 +32,8 @@ struct Expectation {
 /// Looks for the object with an annealed particle filter: layers of particles, rated by edges and
 /// colours, close in on the best basins, and the refinement finds the bottom of each. Where
 /// something hides a part of the object, particles are led off by a few pixels, and among clutter
-/// basins are not wider than that: from the best of them hops may lead on to a better one.
+/// basins are not wider than that: from the best of them hops may lead on to a better one. Colours
+/// that were learned lead starts and hops nearer before they are refined.
 class PoseSearch {
  public:
   struct Effort {
@@ -68,6 +69,7 @@ class PoseSearch {
   /// What brings a pose nearer before edges do: colours from farther off, where edges lead astray,
   /// but not where an object's colours are those beside it.
   enum class Lead { edges, colours };
+  /// A pose led nearer and refined.
   Refiner::Result refined(const Pose& camera_from_center, Lead lead, double reach_px,
                           const Expectation& expected, const Appearance& appearance) const;
   /// A pose a few pixels beside another; `key` decides which.
