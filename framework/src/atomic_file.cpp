@@ -3,6 +3,7 @@
 #include "anneal6d/framework/atomic_file.h"
 
 #include <fstream>
+#include <random>
 #include <string>
 
 #include "anneal6d/framework/error.h"
@@ -11,9 +12,14 @@ namespace anneal6d {
 
 namespace fs = std::filesystem;
 
-void write_file_atomically(const fs::path& path, std::string_view content) {
+fs::path temporary_beside(const fs::path& path) {
   fs::path temporary = path;
-  temporary += ".part";
+  temporary += "." + std::to_string(std::random_device{}()) + ".part";
+  return temporary;
+}
+
+void write_file_atomically(const fs::path& path, std::string_view content) {
+  const fs::path temporary = temporary_beside(path);
   std::error_code ignored;
   {
     std::ofstream stream(temporary, std::ios::binary | std::ios::trunc);
@@ -41,19 +47,19 @@ std::string read_file(const fs::path& path, std::size_t limit) {
   if (failure) throw FileError(path, "", "cannot be read: " + failure.message());
   if (fs::is_directory(status)) throw FileError(path, "", "is a folder; a file is expected");
   if (!fs::is_regular_file(status)) throw FileError(path, "", "is not a regular file");
-  const std::uintmax_t size = fs::file_size(path, failure);
-  if (failure) throw FileError(path, "", "cannot be read: " + failure.message());
-  if (size > limit) {
+  // Size and content of the same file, should another take its name meanwhile.
+  std::ifstream stream(path, std::ios::binary | std::ios::ate);
+  const std::streamoff size = stream ? static_cast<std::streamoff>(stream.tellg()) : -1;
+  if (size < 0) throw FileError(path, "", "cannot be read; check that you may read it");
+  if (static_cast<std::uintmax_t>(size) > limit) {
     throw FileError(path, "",
                     "has " + std::to_string(size) + " bytes; at most " + std::to_string(limit) +
                         " are accepted");
   }
   std::string content(static_cast<std::size_t>(size), '\0');
-  std::ifstream stream(path, std::ios::binary);
+  stream.seekg(0);
   stream.read(content.data(), static_cast<std::streamsize>(size));
-  if (!stream && size > 0) {
-    throw FileError(path, "", "cannot be read; check that you may read it");
-  }
+  if (!stream) throw FileError(path, "", "cannot be read to its end");
   return content;
 }
 

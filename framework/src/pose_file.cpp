@@ -157,8 +157,8 @@ std::string to_csv(const PoseRow& row) {
   return text;
 }
 
-PoseWriter::PoseWriter(fs::path path) : path_(std::move(path)), temporary_(path_) {
-  temporary_ += ".part";
+PoseWriter::PoseWriter(fs::path path)
+    : path_(std::move(path)), temporary_(temporary_beside(path_)) {
   stream_.open(temporary_, std::ios::binary | std::ios::trunc);
   stream_ << kRowColumns << '\n';
   if (!stream_) {

@@ -8,6 +8,10 @@
 
 namespace anneal6d {
 
+/// Another name in the same folder for what becomes `path` when it is whole; one of its own for
+/// each caller, since several may write the same file.
+std::filesystem::path temporary_beside(const std::filesystem::path& path);
+
 /// Writes `content` to a temporary file beside `path` and renames it: readers see the old file or
 /// the whole new one. Throws FileError.
 void write_file_atomically(const std::filesystem::path& path, std::string_view content);
