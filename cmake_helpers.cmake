@@ -17,9 +17,9 @@ function(anneal6d_add_module name)
   anneal6d_warnings(anneal6d_${name})
 endfunction()
 
-# The project's warnings, for its own code only.
+# The project's warnings, for its own code only, which is UTF-8.
 function(anneal6d_warnings target)
   target_compile_options(${target} PRIVATE
     $<$<CXX_COMPILER_ID:GNU,Clang,AppleClang>:-Wall -Wextra -Wpedantic -Wshadow>
-    $<$<CXX_COMPILER_ID:MSVC>:/W4>)
+    $<$<CXX_COMPILER_ID:MSVC>:/W4 /utf-8>)
 endfunction()

@@ -8,7 +8,6 @@
 // It tries random poses around the last one, in rounds of shrinking reach, and keeps the best.
 
 #include <algorithm>
-#include <limits>
 #include <memory>
 #include <vector>
 
@@ -29,8 +28,7 @@ class RandomSearchTracker final : public RigidObjectTracker {
       : RigidObjectTracker(setup.mesh, setup.camera),
         scorer_(make_plugin(setup.scorers, "scorer", setup.settings.text("scorer").value_or("cpu"),
                             ScorerSetup{setup.mesh, setup.camera, kRenderedEdges, Shading{}})),
-        seed_(static_cast<std::uint64_t>(
-            setup.settings.integer("seed", 0, std::numeric_limits<int>::max()).value_or(1))),
+        seed_(setup.settings.natural_number("seed").value_or(1)),
         poses_(kTries),
         matches_(kTries) {}
 

@@ -3,7 +3,6 @@
 #include "anneal6d/capture/simulation_options.h"
 
 #include <charconv>
-#include <limits>
 
 #include "anneal6d/framework/error.h"
 #include "anneal6d/framework/pose_file.h"
@@ -105,9 +104,7 @@ SimulationOptions SimulationOptions::from(const Settings& settings) {
                 .value_or(value);
   };
   integer("frames", kFrames, options.frames);
-  if (const auto seed = settings.integer("seed", 0, std::numeric_limits<int>::max())) {
-    options.seed = static_cast<std::uint64_t>(*seed);
-  }
+  options.seed = settings.natural_number("seed").value_or(options.seed);
   if (const auto text = settings.text("motion")) options.motion = parse_simulated_motion(*text);
   number("sigma-mm", kSigma_mm, options.sigma_mm);
   number("sigma-deg", kSigma_deg, options.sigma_deg);

@@ -3,6 +3,7 @@
 #include "cao_file.h"
 
 #include <Eigen/Geometry>
+#include <cctype>
 #include <cmath>
 #include <numbers>
 #include <string>
@@ -72,7 +73,8 @@ double take_radius(TextTokens& tokens) {
 
 /// Skips `name="left door" useLod=true` behind an entry.
 void skip_options(TextTokens& tokens, int line) {
-  if (!tokens.at_end() && tokens.line() == line && std::isalpha(tokens.peek().front())) {
+  if (!tokens.at_end() && tokens.line() == line &&
+      std::isalpha(static_cast<unsigned char>(tokens.peek().front())) != 0) {
     tokens.rest_of_line();
   }
 }

@@ -11,6 +11,7 @@
 #include <vector>
 
 #include "anneal6d/framework/atomic_file.h"
+#include "anneal6d/framework/srgb.h"
 #include "base64.h"
 #include "gltf_document.h"
 #include "texture_file.h"
@@ -25,14 +26,9 @@ using Json = GltfDocument::Json;
 // Modes of primitives; the ones before are points and lines, between the two are strips.
 constexpr std::size_t kTriangles = 4, kTriangleFan = 6;
 
-/// glTF gives colours as amounts of light; pictures hold screen values.
-float screen_value(float light) {
-  return light <= 0.0031308F ? 12.92F * light : 1.055F * std::pow(light, 1 / 2.4F) - 0.055F;
-}
-
 /// How a material colours the surface.
 struct Paint {
-  Eigen::Vector3f albedo_bgr = Eigen::Vector3f::Ones();
+  Eigen::Vector3f light_bgr = Eigen::Vector3f::Ones();  ///< linear: not yet encoded
   std::optional<std::size_t> image;
   std::size_t uv_channel = 0;
 };
@@ -132,8 +128,7 @@ Paint GltfReader::read_paint(const Part& primitive) const {
   if (surface.is_null()) return paint;
   const Part pbr{surface, material.name};
   if (const auto factor = file_.numbers(pbr, "baseColorFactor", 4); !factor.empty()) {
-    paint.albedo_bgr = Eigen::Vector3d(factor[2], factor[1], factor[0]).cast<float>();
-    paint.albedo_bgr = paint.albedo_bgr.unaryExpr(&screen_value);
+    paint.light_bgr = Eigen::Vector3d(factor[2], factor[1], factor[0]).cast<float>();
   }
   const Json& reference = file_.child(pbr, "baseColorTexture");
   if (reference.is_null()) return paint;
@@ -189,11 +184,9 @@ void GltfReader::add_vertices(const Part& primitive, const Eigen::Affine3d& obje
     vertex.position_mm = (object_from_mesh * vector(*positions, i).cast<double>()).cast<float>();
     if (normals) vertex.normal = usable_normal(normal_matrix * vector(*normals, i));
     if (uvs) vertex.uv = {uvs->values[2 * i], uvs->values[2 * i + 1]};
-    vertex.albedo_bgr = paint.albedo_bgr;
-    if (colors) {
-      const Eigen::Vector3f bgr = vector(*colors, i).reverse();
-      vertex.albedo_bgr = vertex.albedo_bgr.cwiseProduct(bgr.unaryExpr(&screen_value));
-    }
+    Eigen::Vector3f light_bgr = paint.light_bgr;
+    if (colors) light_bgr = light_bgr.cwiseProduct(vector(*colors, i).reverse());
+    vertex.albedo_bgr = light_bgr.cast<double>().unaryExpr(&encoded_srgb).cast<float>();
   }
 }
 

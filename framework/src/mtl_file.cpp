@@ -59,7 +59,7 @@ std::size_t skip_options(const Statements& line) {
 
 Eigen::Vector3f Material::albedo_bgr() const {
   // Some programs write black beside a texture and mean that the texture alone counts.
-  if (!texture.empty() && (!diffuse_bgr || diffuse_bgr->isZero())) return Eigen::Vector3f::Ones();
+  if (!texture.empty() && (!diffuse_bgr || diffuse_bgr->isZero(0))) return Eigen::Vector3f::Ones();
   return diffuse_bgr.value_or(MeshVertex{}.albedo_bgr);
 }
 

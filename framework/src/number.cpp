@@ -37,4 +37,8 @@ std::optional<double> parse_number(std::string_view text) {
 
 std::optional<long long> parse_integer(std::string_view text) { return parse<long long>(text); }
 
+std::optional<std::uint64_t> parse_natural_number(std::string_view text) {
+  return parse<std::uint64_t>(text);
+}
+
 }  // namespace anneal6d

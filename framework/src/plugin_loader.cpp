@@ -6,6 +6,8 @@
 #include "anneal6d/framework/rigid_object_tracker.h"
 
 #ifdef _WIN32
+#define NOMINMAX
+#define WIN32_LEAN_AND_MEAN
 #include <windows.h>
 #else
 #include <dlfcn.h>

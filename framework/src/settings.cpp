@@ -38,6 +38,14 @@ std::optional<int> Settings::integer(std::string_view name, int low, int high) c
   return static_cast<int>(*value);
 }
 
+std::optional<std::uint64_t> Settings::natural_number(std::string_view name) const {
+  const auto given = text(name);
+  if (!given) return std::nullopt;
+  const auto value = parse_natural_number(*given);
+  if (!value) refuse(name, *given, "a whole number from 0 to 18446744073709551615");
+  return value;
+}
+
 std::optional<double> Settings::number(std::string_view name, double low, double high) const {
   const auto given = text(name);
   if (!given) return std::nullopt;

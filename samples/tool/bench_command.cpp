@@ -54,7 +54,7 @@ std::vector<std::string> usable_scorers(const std::vector<std::string>& wanted) 
   std::vector<std::string> usable;
   for (const ScorerPlugin& row : all_scorers()) {
     if (std::find(wanted.begin(), wanted.end(), row.name) == wanted.end()) continue;
-    if (const std::string reason = row.why_unavailable(); reason.empty()) {
+    if (const std::string reason = row.obstacle(); reason.empty()) {
       usable.push_back(row.name);
     } else {
       fmt::print("{}: not available: {}\n", row.name, reason);

@@ -20,7 +20,7 @@ void print_table(const char* title, const Table& table) {
   fmt::print("{}\n", title);
   for (const auto& row : table) {
     fmt::print("  {:<14}  {}\n", row.name, row.summary);
-    if (const std::string reason = row.why_unavailable(); !reason.empty()) {
+    if (const std::string reason = row.obstacle(); !reason.empty()) {
       fmt::print("  {:<14}  not available: {}\n", "", reason);
     }
   }

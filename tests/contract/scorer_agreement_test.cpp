@@ -58,7 +58,7 @@ class ExactScorer : public testing::TestWithParam<std::tuple<std::string, EdgeCa
     for (const std::string& needed : {std::get<0>(GetParam()), std::string("reference")}) {
       const auto row = std::find_if(table_.begin(), table_.end(),
                                     [&](const auto& plugin) { return plugin.name == needed; });
-      if (const std::string reason = row->why_unavailable(); !reason.empty()) {
+      if (const std::string reason = row->obstacle(); !reason.empty()) {
         GTEST_SKIP() << needed << ": " << reason;
       }
     }

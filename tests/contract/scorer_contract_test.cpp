@@ -85,7 +85,7 @@ class EveryScorer : public testing::TestWithParam<std::string> {
   void SetUp() override {
     for (const ScorerPlugin& plugin : table_) {
       if (plugin.name != GetParam()) continue;
-      if (const std::string reason = plugin.why_unavailable(); !reason.empty()) {
+      if (const std::string reason = plugin.obstacle(); !reason.empty()) {
         GTEST_SKIP() << reason;
       }
     }

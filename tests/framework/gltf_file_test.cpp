@@ -2,6 +2,7 @@
 // Copyright (c) 2026 The Anneal6D authors
 #include <gtest/gtest.h>
 
+#include <cmath>
 #include <string>
 
 #include "anneal6d/framework/mesh_file.h"
@@ -59,6 +60,30 @@ TEST_F(GltfFile, ReadsABufferBesideIt) {
   EXPECT_EQ(mesh.triangles().size(), 1U);
   EXPECT_EQ(mesh.max_corner_mm(), Eigen::Vector3f(50, 50, 0));
   for (const MeshVertex& v : mesh.vertices()) EXPECT_EQ(v.albedo_bgr, Eigen::Vector3f::Ones());
+}
+
+TEST_F(GltfFile, MultipliesColoursAsLight) {
+  const TriangleMesh mesh = load_mesh(folder_.write("m.gltf", R"({
+  "asset": {"version": "2.0"},
+  "scenes": [{"nodes": [0]}],
+  "nodes": [{"mesh": 0}],
+  "materials": [{"pbrMetallicRoughness": {"baseColorFactor": [0.05, 1, 0.5, 1]}}],
+  "meshes": [{"primitives": [
+    {"attributes": {"POSITION": 0, "COLOR_0": 1}, "material": 0}]}],
+  "accessors": [
+    {"bufferView": 0, "componentType": 5126, "count": 3, "type": "VEC3"},
+    {"bufferView": 1, "componentType": 5121, "normalized": true, "count": 3, "type": "VEC4"}],
+  "bufferViews": [{"buffer": 0, "byteLength": 36}, {"buffer": 1, "byteLength": 12}],
+  "buffers": [
+    {"byteLength": 39, "uri": "a%20file.bin"},
+    {"byteLength": 12, "uri": "data:application/octet-stream;base64,DQ0N/w0NDf8NDQ3/"}]
+})"));
+  const float light = 13.0F / 255;  // encoded: below 0.0031 linearly, by a power above
+  for (const MeshVertex& v : mesh.vertices()) {
+    EXPECT_NEAR(v.albedo_bgr[2], 12.92F * 0.05F * light, 1e-4);
+    EXPECT_NEAR(v.albedo_bgr[1], 1.055F * std::pow(light, 1 / 2.4F) - 0.055F, 1e-4);
+    EXPECT_NEAR(v.albedo_bgr[0], 1.055F * std::pow(light / 2, 1 / 2.4F) - 0.055F, 1e-4);
+  }
 }
 
 TEST_F(GltfFile, ChainsTransformsOfNodes) {

@@ -48,6 +48,12 @@ TEST(PluginTable, SaysWhyOneIsUnavailableInsteadOfMakingIt) {
             "scorer 'gpu' is not available: no card; plug one in");
 }
 
+TEST(PluginTable, WhatNeverLacksAnythingNeedNotSaySo) {
+  const NumberTable plugins = {
+      {"half", "", {}, [](const int& setup) { return std::make_unique<int>(setup / 2); }}};
+  EXPECT_EQ(*make_plugin(plugins, "scorer", "half", 8), 4);
+}
+
 TEST(PluginTable, PassesOnWhatTheMakerThrows) {
   EXPECT_EQ(message_of<GraphicsError>(table(), "broken"), "driver");
 }

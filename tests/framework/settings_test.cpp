@@ -71,6 +71,14 @@ TEST(Settings, RefuseWhatIsNoWholeNumber) {
   }
 }
 
+TEST(Settings, ReadSeedsOfSixtyFourBits) {
+  EXPECT_EQ(with("18446744073709551615").natural_number("sigma-mm"), 18446744073709551615U);
+  EXPECT_FALSE(Settings().natural_number("sigma-mm"));
+  for (const char* wrong : {"18446744073709551616", "-1", "1.5", "many", ""}) {
+    EXPECT_THROW(with(wrong).natural_number("sigma-mm"), ConfigError) << wrong;
+  }
+}
+
 TEST(Settings, WriteBoundsShortly) {
   expect_refused_with([] { with("x").number("sigma-mm", 0.25, 1000); },
                       "--sigma-mm: 'x' is not a number from 0.25 to 1000");

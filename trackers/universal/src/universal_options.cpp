@@ -2,7 +2,6 @@
 // Copyright (c) 2026 The Anneal6D authors
 #include <cmath>
 #include <cstdlib>
-#include <limits>
 
 #include "anneal6d/framework/error.h"
 #include "anneal6d/framework/number.h"
@@ -108,8 +107,7 @@ UniversalTrackerOptions UniversalTrackerOptions::from(const Settings& settings) 
   o.rating.c3 = settings.number("rating-c3", 0, 1e6).value_or(o.rating.c3);
 
   o.textured = settings.flag("textured").value_or(o.textured);
-  o.seed = static_cast<std::uint64_t>(settings.integer("seed", 0, std::numeric_limits<int>::max())
-                                          .value_or(static_cast<int>(o.seed)));
+  o.seed = settings.natural_number("seed").value_or(o.seed);
   o.threads = settings.integer("threads", 0, 1024).value_or(o.threads);
   if (const auto folder = settings.text("view-cache")) {
     o.view_cache = *folder == "off" ? std::filesystem::path() : std::filesystem::path(*folder);

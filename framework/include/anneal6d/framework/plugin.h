@@ -18,9 +18,13 @@ template <class Product, class Setup>
 struct Plugin {
   std::string name;
   std::string summary;  ///< one line for `anneal6d list`
-  /// Empty if it can be used here; otherwise why not and what to do.
+  /// Returns an empty text if it can be used here, otherwise why not and what to do. May be left
+  /// out: then it always can.
   std::function<std::string()> why_unavailable;
   std::function<std::unique_ptr<Product>(const Setup&)> make;
+
+  /// What `why_unavailable` returns.
+  std::string obstacle() const { return why_unavailable ? why_unavailable() : std::string(); }
 };
 
 template <class Product, class Setup>
@@ -41,7 +45,7 @@ std::unique_ptr<Product> make_plugin(const PluginTable<Product, Setup>& table,
     throw ConfigError("unknown " + std::string(kind) + " '" + std::string(name) +
                       "'; there are: " + (known.empty() ? "none" : known));
   }
-  if (const std::string reason = row->why_unavailable(); !reason.empty()) {
+  if (const std::string reason = row->obstacle(); !reason.empty()) {
     throw BackendUnavailable(std::string(kind) + " '" + std::string(name) +
                              "' is not available: " + reason);
   }

@@ -2,6 +2,7 @@
 // Copyright (c) 2026 The Anneal6D authors
 #pragma once
 
+#include <cstdint>
 #include <map>
 #include <optional>
 #include <string>
@@ -21,6 +22,7 @@ class Settings {
   /// not of the type or not within [low, high].
   std::optional<std::string> text(std::string_view name) const;
   std::optional<int> integer(std::string_view name, int low, int high) const;
+  std::optional<std::uint64_t> natural_number(std::string_view name) const;  ///< from 0 on: a seed
   std::optional<double> number(std::string_view name, double low, double high) const;
   std::optional<bool> flag(std::string_view name) const;
 
