@@ -65,7 +65,7 @@ constexpr std::size_t kLargestTable_bytes = 1 << 20;
 
 std::vector<std::string> split(const std::string& text, char separator) {
   std::vector<std::string> parts;
-  std::istringstream stream(text);
+  std::istringstream stream(text + separator);  // so that an empty last part counts
   for (std::string part; std::getline(stream, part, separator);) parts.push_back(part);
   return parts;
 }

@@ -69,8 +69,17 @@ cv::Mat read_image(const std::filesystem::path& path) {
 
 void write_image(const std::filesystem::path& path, const cv::Mat& image, int jpeg_quality) {
   std::vector<unsigned char> bytes;
-  cv::imencode(path.extension().string(), image, bytes,
-               {cv::IMWRITE_JPEG_QUALITY, jpeg_quality, cv::IMWRITE_PNG_COMPRESSION, 4});
+  std::string reason =
+      "it has " + std::to_string(image.cols) + "x" + std::to_string(image.rows) + " pixels";
+  bool encoded = false;
+  try {
+    encoded =
+        cv::imencode(path.extension().string(), image, bytes,
+                     {cv::IMWRITE_JPEG_QUALITY, jpeg_quality, cv::IMWRITE_PNG_COMPRESSION, 4});
+  } catch (const cv::Exception& error) {
+    reason += ", " + error.err;
+  }
+  if (!encoded) throw FileError(path, "", "the image can't be encoded: " + reason);
   std::ofstream stream(path, std::ios::binary);
   stream.write(reinterpret_cast<const char*>(bytes.data()),
                static_cast<std::streamsize>(bytes.size()));

@@ -3,8 +3,10 @@
 #include "obj_writer.h"
 
 #include <algorithm>
+#include <array>
 #include <charconv>
 #include <initializer_list>
+#include <map>
 #include <string>
 #include <string_view>
 #include <unordered_map>
@@ -44,13 +46,21 @@ struct Materials {
 
 Materials collect_materials(const TriangleMesh& mesh) {
   Materials materials;
+  std::map<std::array<float, 3>, std::size_t> numbers;
   for (const Triangle& triangle : mesh.triangles()) {
     const Eigen::Vector3f& color = mesh.vertices()[triangle[0]].albedo_bgr;
-    const auto known = std::find(materials.colors_bgr.begin(), materials.colors_bgr.end(), color);
-    materials.of_triangle.push_back(static_cast<std::size_t>(known - materials.colors_bgr.begin()));
-    if (known == materials.colors_bgr.end()) materials.colors_bgr.push_back(color);
+    const auto [known, is_new] =
+        numbers.try_emplace({color[0], color[1], color[2]}, materials.colors_bgr.size());
+    materials.of_triangle.push_back(known->second);
+    if (is_new) materials.colors_bgr.push_back(color);
   }
   return materials;
+}
+
+// Readers, ours among them, take black beside a texture for "the texture alone counts".
+Eigen::Vector3f beside_texture(const Eigen::Vector3f& color) {
+  constexpr float kNearlyBlack = 1e-6F;
+  return color.isZero() ? Eigen::Vector3f::Constant(kNearlyBlack) : color;
 }
 
 // The lines of one keyword, each once: corners that the mesh keeps apart share them in the file.
@@ -130,7 +140,8 @@ void write_obj(const TriangleMesh& mesh, const std::filesystem::path& path) {
 
   std::string material_text;
   for (std::size_t i = 0; i < materials.colors_bgr.size(); ++i) {
-    const Eigen::Vector3f& color = materials.colors_bgr[i];
+    const Eigen::Vector3f color =
+        mesh.has_texture() ? beside_texture(materials.colors_bgr[i]) : materials.colors_bgr[i];
     material_text += "newmtl " + material_name(i) + '\n';
     append(material_text, "Kd", {color.z(), color.y(), color.x()});
     if (mesh.has_texture()) material_text += "map_Kd " + texture_path.filename().string() + '\n';

@@ -11,10 +11,12 @@
 #include <random>
 #include <string_view>
 #include <system_error>
+#include <utility>
 #include <vector>
 
 #include "anneal6d/framework/atomic_file.h"
 #include "anneal6d/framework/error.h"
+#include "anneal6d/framework/log.h"
 #include "anneal6d/framework/pose_file.h"
 #include "image_file.h"
 #include "obj_writer.h"
@@ -35,6 +37,17 @@ class PendingFolder {
     std::error_code error;
     fs::create_directories(pending_, error);
     if (error) throw FileError(pending_, "", "can't make this folder: " + error.message());
+    if (!fs::exists(folder_, error)) return;
+    // Found out before the work: a mount point, for one, does not give up its name.
+    const fs::path aside = beside(folder_, "old");
+    std::error_code error_of_removal;
+    fs::rename(folder_, aside, error);
+    if (!error) fs::rename(aside, folder_, error);
+    if (error) {
+      fs::remove_all(pending_, error_of_removal);
+      throw FileError(folder_, "",
+                      "can't be replaced: " + error.message() + "; name a folder inside it");
+    }
   }
   ~PendingFolder() {
     std::error_code ignored;
@@ -44,6 +57,9 @@ class PendingFolder {
   PendingFolder& operator=(const PendingFolder&) = delete;
 
   const fs::path& path() const { return pending_; }
+
+  // Leaves what there is under its other name, which is returned.
+  fs::path release() { return std::exchange(pending_, fs::path()); }
 
   void commit() {
     std::error_code error;
@@ -87,7 +103,11 @@ bool is_sequence_file(const std::string& name) {
 
 // "out/" and "." have no name that a temporary folder beside them could be derived from.
 fs::path with_name(const fs::path& folder) {
-  fs::path path = fs::absolute(folder).lexically_normal();
+  // A link stays, and what it leads to is written.
+  std::error_code error;
+  fs::path path = fs::absolute(folder, error);
+  if (!error) path = fs::weakly_canonical(path, error);
+  if (error) throw FileError(folder, "", "can't be reached: " + error.message());
   if (!path.has_filename()) path = path.parent_path();
   if (!path.has_filename()) throw FileError(folder, "", "is no folder to write a sequence to");
   return path;
@@ -105,13 +125,14 @@ void check_target(const fs::path& folder, bool force) {
                     "the folder is there already and not empty; name another one, or use --force "
                     "to replace the sequence in it");
   }
-  for (const fs::directory_entry& entry : fs::directory_iterator(folder)) {
-    if (!entry.is_regular_file() || !is_sequence_file(entry.path().filename().string())) {
+  for (const fs::directory_entry& entry : fs::directory_iterator(folder, error)) {
+    if (!entry.is_regular_file(error) || !is_sequence_file(entry.path().filename().string())) {
       throw FileError(entry.path(), "",
                       "does not belong to a sequence, so the folder is not replaced, not even with "
                       "--force; name another folder or clear this one by hand");
     }
   }
+  if (error) throw FileError(folder, "", "can't be looked at: " + error.message());
 }
 
 std::string frame_name(std::int64_t index, bool jpeg) {
@@ -129,7 +150,6 @@ std::string meta_json(const std::string& name, const std::string& description, s
   meta["units"] =
       "millimetres; poses are camera_from_object (x right, y down, z forward), "
       "quaternions w x y z; pixel centres at integer coordinates";
-  meta["symmetry"] = "none";
   if (const auto seed = settings.text("seed")) meta["seed"] = *seed;
   meta["options"] = nlohmann::ordered_json::object();
   for (const auto& [key, value] : settings) meta["options"][key] = value;
@@ -144,28 +164,56 @@ class PendingSequence {
       : target_(checked_target(folder, options)), pending_(target_), options_(&options) {}
 
   std::int64_t count() const { return count_; }
+  bool is_full() const { return count_ == kMostFrames; }
 
   void add(const Frame& frame, const std::optional<Pose>& truth) {
-    if (count_ == kMostFrames) throw ConfigError("a sequence holds at most 1000000 frames");
-    write_image(pending_.path() / frame_name(count_, options_->jpeg_quality > 0), frame.image,
-                options_->jpeg_quality);
+    if (is_full()) throw ConfigError("a sequence holds at most 1000000 frames");
+    const fs::path file = pending_.path() / frame_name(count_, options_->jpeg_quality > 0);
+    try {
+      write_image(file, frame.image, options_->jpeg_quality);
+    } catch (const FileError&) {  // the disk is full: what there is of the image must not stay
+      std::error_code ignored;
+      fs::remove(file, ignored);
+      throw;
+    }
     if (truth) ground_truth_[count_] = *truth;
     ++count_;
+  }
+
+  // Leaves the first `count` frames.
+  void truncate(std::int64_t count) {
+    for (; count_ > count; --count_) {
+      std::error_code ignored;
+      fs::remove(pending_.path() / frame_name(count_ - 1, options_->jpeg_quality > 0), ignored);
+      ground_truth_.erase(count_ - 1);
+    }
   }
 
   void commit(const std::string& description, const std::optional<CameraModel>& camera,
               const TriangleMesh* mesh) {
     if (count_ == 0) throw ConfigError(description + " gives no frame to write");
+    try {
+      write_rest(description, camera, mesh);
+      check_target(target_, options_->force);  // again: somebody may have written there meanwhile
+      pending_.commit();
+    } catch (const FileError& error) {
+      throw FileError(pending_.release(), "",
+                      "the frames are kept here, since the sequence could not be finished: " +
+                          std::string(error.what()));
+    }
+  }
+
+ private:
+  void write_rest(const std::string& description, const std::optional<CameraModel>& camera,
+                  const TriangleMesh* mesh) const {
     if (camera) save_camera(*camera, pending_.path() / "camera.yml");
     if (mesh != nullptr) write_obj(*mesh, pending_.path() / "model.obj");
     if (!ground_truth_.empty()) save_poses(ground_truth_, pending_.path() / "groundtruth.csv");
     const std::string name = options_->name.empty() ? target_.filename().string() : options_->name;
     write_file_atomically(pending_.path() / "meta.json",
                           meta_json(name, description, count_, options_->settings));
-    pending_.commit();
   }
 
- private:
   static fs::path checked_target(const fs::path& folder, const SequenceWriterOptions& options) {
     if (options.jpeg_quality < 0 || options.jpeg_quality > 100) {
       throw ConfigError("jpeg-quality is " + std::to_string(options.jpeg_quality) +
@@ -183,8 +231,20 @@ class PendingSequence {
   std::int64_t count_ = 0;
 };
 
+// The next frame that can be read; empty at the end.
+std::optional<Frame> next_readable(FrameSource& source, Recording& recording) {
+  while (true) {
+    try {
+      return source.next();
+    } catch (const FileError& error) {
+      ++recording.broken;
+      log(LogLevel::warning, std::string(error.what()) + "; the frame is left out");
+    }
+  }
+}
+
 // Has `step` write frames until it says that there are no more, then keeps them: also if the
-// camera fails, whose error is thrown after that.
+// camera or the disk fails, whose error is thrown after that.
 template <class Step, class Keep>
 void record_until_done(const SequenceWriterOptions& options, const Step& step, const Keep& keep) {
   std::string failure;
@@ -195,11 +255,16 @@ void record_until_done(const SequenceWriterOptions& options, const Step& step, c
       if (options.progress) options.progress(count);
       if (options.stop && options.stop(count)) break;
     }
-  } catch (const CaptureError& error) {
+  } catch (const Error& error) {
     if (count == 0) throw;
     failure = error.what();
   }
-  keep();
+  try {
+    keep();
+  } catch (const FileError& error) {
+    if (failure.empty()) throw;
+    throw CaptureError(failure + "; " + error.what());
+  }
   if (!failure.empty()) throw CaptureError(failure + "; the frames before that are kept");
 }
 
@@ -226,15 +291,15 @@ Recording record_sequence(FrameSource& source, const TriangleMesh* mesh, const f
   PendingSequence sequence(folder, options);
   Recording recording;
   const auto step = [&] {
-    const std::optional<Frame> frame = source.next();
+    const std::optional<Frame> frame = next_readable(source, recording);
     if (!frame) return false;
     sequence.add(*frame, source.ground_truth());
+    ++recording.frames;
     recording.lost += frame->lost_before;
-    return true;
+    return !sequence.is_full();
   };
   record_until_done(options, step,
                     [&] { sequence.commit(source.description(), source.camera(), mesh); });
-  recording.frames = sequence.count();
   return recording;
 }
 
@@ -255,15 +320,22 @@ Recording record_sequences(FrameSetSource& source, const fs::path& folder,
     for (std::size_t i = 0; i < set->frames.size(); ++i) {
       sequences[i]->add(set->frames[i], std::nullopt);
     }
+    ++recording.frames;
     recording.lost += set->lost_before;
-    return true;
+    return !sequences.front()->is_full();
   };
   record_until_done(options, step, [&] {
+    std::optional<FileError> failure;  // of one must not cost the others
     for (const auto& sequence : sequences) {
-      sequence->commit(source.description(), std::nullopt, nullptr);
+      sequence->truncate(recording.frames);  // of a set that could not be written whole
+      try {
+        sequence->commit(source.description(), std::nullopt, nullptr);
+      } catch (const FileError& error) {
+        if (!failure) failure = error;
+      }
     }
+    if (failure) throw FileError(*failure);
   });
-  recording.frames = sequences.front()->count();
   return recording;
 }
 

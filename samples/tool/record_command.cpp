@@ -97,6 +97,9 @@ int record(const RecordOptions& options) {
                     "--jpeg-quality 95",
                     recording.lost));
   }
+  if (recording.broken > 0) {
+    log(LogLevel::warning, fmt::format("{} frames were broken and are left out", recording.broken));
+  }
   return 0;
 }
 

@@ -7,6 +7,9 @@
 #include <algorithm>
 #include <fstream>
 #include <opencv2/core.hpp>
+#include <optional>
+#include <set>
+#include <utility>
 
 #include "anneal6d/capture/sequence_source.h"
 #include "anneal6d/capture/simulation_source.h"
@@ -14,6 +17,7 @@
 #include "anneal6d/framework/mesh_file.h"
 #include "capture_test_support.h"
 #include "flat_renderer.h"
+#include "full_disk.h"
 
 namespace anneal6d {
 namespace {
@@ -110,6 +114,19 @@ TEST(SequenceWriter, WritesATexturedModelThatLoadsTheSame) {
   }
 }
 
+TEST(SequenceWriter, ABlackMaterialBesideATextureStaysBlack) {
+  std::vector<MeshVertex> vertices(3);
+  vertices[1].position_mm = {50, 0, 0};
+  vertices[2].position_mm = {0, 50, 0};
+  for (MeshVertex& vertex : vertices) vertex.albedo_bgr.setZero();
+  const TriangleMesh mesh(vertices, {{0, 1, 2}}, cv::Mat(4, 4, CV_8UC3, cv::Scalar::all(200)));
+  test::TemporaryFolder folder;
+  SimulationSource source = short_simulation(1);
+  write_sequence(source, mesh, folder / "black");
+  const TriangleMesh read = load_mesh(folder / "black" / "model.obj");
+  for (const MeshVertex& vertex : read.vertices()) EXPECT_LT(vertex.albedo_bgr.norm(), 1e-5);
+}
+
 TEST(SequenceWriter, KeepsColoursThatDifferBetweenTrianglesAndWithinThem) {
   for (const bool within : {false, true}) {
     std::vector<MeshVertex> vertices(6);
@@ -154,6 +171,143 @@ TEST(SequenceWriter, LeavesNothingBehindIfTheSourceFails) {
   BreakingSource source;
   EXPECT_THROW(write_sequence(source, *make_box({80, 50, 30}), folder / "cup"), CaptureError);
   EXPECT_EQ(entries_of(folder.path()), 0U);
+}
+
+// Hands out noise; the frames named are broken.
+class NoiseSource : public BreakingSource {
+ public:
+  NoiseSource(int frames, std::set<int> broken) : frames_(frames), broken_(std::move(broken)) {}
+
+  std::optional<Frame> next() override {
+    if (count_ == frames_) return std::nullopt;
+    const int index = count_++;
+    if (broken_.contains(index)) throw FileError("noise.png", "", "broken");
+    Frame frame{cv::Mat(120, 160, CV_8UC3), index, 0, 0};
+    cv::randu(frame.image, 0, 256);
+    return frame;
+  }
+
+ private:
+  int frames_, count_ = 0;
+  std::set<int> broken_;
+};
+
+TEST(SequenceWriter, ARecordingLeavesOutBrokenFrames) {
+  test::TemporaryFolder folder;
+  NoiseSource source(5, {0, 2, 3});
+  const Recording recording = record_sequence(source, nullptr, folder / "take");
+  EXPECT_EQ(recording.frames, 2);
+  EXPECT_EQ(recording.broken, 3);
+  EXPECT_TRUE(std::filesystem::exists(folder / "take" / "frame_0001.png"));
+  EXPECT_FALSE(std::filesystem::exists(folder / "take" / "frame_0002.png"));
+}
+
+TEST(SequenceWriter, ARecordingKeepsWhatTheDiskHadRoomFor) {
+  test::TemporaryFolder folder;
+  NoiseSource source(5, {});
+  SequenceWriterOptions options;
+  std::optional<test::FullDisk> full;
+  options.progress = [&](std::int64_t count) {
+    if (count == 3) full.emplace(20'000);
+  };
+  const std::string message =
+      message_of<CaptureError>([&] { record_sequence(source, nullptr, folder / "take", options); });
+  full.reset();
+  EXPECT_TRUE(contains(message, "full")) << message;
+  EXPECT_TRUE(contains(message, "kept")) << message;
+  SequenceSource kept(folder / "take", source.camera());
+  int frames = 0;
+  while (kept.next()) ++frames;
+  EXPECT_EQ(frames, 3);
+  EXPECT_FALSE(std::filesystem::exists(folder / "take" / "frame_0003.png")) << "a half image";
+  EXPECT_EQ(entries_of(folder.path()), 1U);
+}
+
+TEST(SequenceWriter, WhatCannotBeFinishedIsKeptWhereTheMessageSays) {
+  test::TemporaryFolder folder;
+  NoiseSource source(3, {});
+  SequenceWriterOptions options;
+  options.progress = [&](std::int64_t count) {
+    if (count != 3) return;
+    std::filesystem::create_directory(folder / "take");  // somebody else's, meanwhile
+    std::ofstream(folder / "take" / "letter.txt") << "dear";
+  };
+  const std::string message =
+      message_of<FileError>([&] { record_sequence(source, nullptr, folder / "take", options); });
+  EXPECT_TRUE(contains(message, "kept here")) << message;
+  EXPECT_TRUE(std::filesystem::exists(folder / "take" / "letter.txt"));
+  const std::filesystem::path kept = message.substr(0, message.find(':'));
+  EXPECT_TRUE(std::filesystem::exists(kept / "frame_0002.png")) << message;
+  EXPECT_EQ(entries_of(folder.path()), 2U);
+}
+
+// Hands out the same image for ever.
+class StillSource : public BreakingSource {
+ public:
+  explicit StillSource(cv::Mat image) : image_(std::move(image)) {}
+  std::optional<Frame> next() override { return Frame{image_, 0, 0, 0}; }
+
+ private:
+  cv::Mat image_;
+};
+
+TEST(SequenceWriter, AnImageThatCannotBeEncodedIsAnErrorOfItsFile) {
+  test::TemporaryFolder folder;
+  SequenceWriterOptions options;
+  StillSource empty{cv::Mat()};
+  EXPECT_TRUE(contains(
+      message_of<FileError>([&] { record_sequence(empty, nullptr, folder / "take", options); }),
+      "frame_0000.png"));
+  StillSource wide{cv::Mat(1, 70000, CV_8UC1, cv::Scalar(0))};
+  options.jpeg_quality = 90;  // whose images may have 65,535 columns
+  EXPECT_TRUE(contains(
+      message_of<FileError>([&] { record_sequence(wide, nullptr, folder / "take", options); }),
+      "70000x1"));
+  EXPECT_EQ(entries_of(folder.path()), 0U);
+}
+
+// Three cameras; the third has more in its pictures from the second set on.
+class NoiseSets : public FrameSetSource {
+ public:
+  std::optional<FrameSet> next() override {
+    if (count_ == 4) return std::nullopt;
+    FrameSet set;
+    for (int camera = 0; camera < 3; ++camera) {
+      Frame frame{cv::Mat(120, 160, CV_8UC3, cv::Scalar(0)), count_, 0, 0};
+      if (camera == 2 && count_ > 0) cv::randu(frame.image, 0, 256);
+      set.frames.push_back(frame);
+    }
+    ++count_;
+    return set;
+  }
+  std::size_t size() const override { return 3; }
+  std::string description() const override { return "noise sets"; }
+
+ private:
+  int count_ = 0;
+};
+
+TEST(SequenceWriter, ARecordingOfSeveralCamerasKeepsWholeSets) {
+  test::TemporaryFolder folder;
+  NoiseSets source;
+  {
+    const test::FullDisk full(20'000);
+    EXPECT_THROW(record_sequences(source, folder / "takes"), CaptureError);
+  }
+  for (const char* camera : {"camera_0", "camera_1", "camera_2"}) {
+    EXPECT_TRUE(std::filesystem::exists(folder / "takes" / camera / "frame_0000.png")) << camera;
+    EXPECT_FALSE(std::filesystem::exists(folder / "takes" / camera / "frame_0001.png")) << camera;
+  }
+}
+
+TEST(SequenceWriter, WritesWhereALinkLeads) {
+  test::TemporaryFolder folder;
+  std::filesystem::create_directory(folder / "disk");
+  std::filesystem::create_directory_symlink(folder / "disk", folder / "take");
+  SimulationSource source = short_simulation(1);
+  write_sequence(source, *make_box({80, 50, 30}), folder / "take");
+  EXPECT_TRUE(std::filesystem::is_symlink(folder / "take"));
+  EXPECT_TRUE(std::filesystem::exists(folder / "disk" / "frame_0000.png"));
 }
 
 TEST(SequenceWriter, ReplacesASequenceOnlyIfForced) {

@@ -21,7 +21,6 @@ using test::make_box;
 using test::make_flat_renderer;
 using test::message_of;
 
-
 CameraModel small_camera() { return {160, 120, 160, 160, 79.5, 59.5, {}}; }
 
 SimulationSource simulate(const SimulationOptions& options,
@@ -32,8 +31,8 @@ SimulationSource simulate(const SimulationOptions& options,
 
 double light_of(int grey) { return decoded_srgb(grey / 255.0); }
 
-// Share of each pixel that the object covers, from a picture of FlatRenderer's grey on black: light is
-// mixed, not grey levels.
+// Share of each pixel that the object covers, from a picture of FlatRenderer's grey on black: light
+// is mixed, not grey levels.
 cv::Mat coverage(const cv::Mat& image) {
   cv::Mat channel, result;
   cv::extractChannel(image, channel, 0);

@@ -3,17 +3,16 @@
 #include "anneal6d/visualizer/picture_writer.h"
 
 #include <gtest/gtest.h>
-#include <sys/resource.h>
 #include <unistd.h>
 
 #include <cmath>
-#include <csignal>
 #include <fstream>
 #include <opencv2/imgcodecs.hpp>
 #include <opencv2/videoio.hpp>
 #include <string>
 
 #include "anneal6d/framework/error.h"
+#include "full_disk.h"
 
 namespace anneal6d {
 namespace {
@@ -86,27 +85,8 @@ TEST_P(VideoTest, KeepsTheOldFileUntilTheCommit) {
   EXPECT_GT(fs::file_size(path), 3U);
 }
 
-/// While it lives, files of this process cannot grow beyond a size: what a full disk does.
-class FullDisk {
- public:
-  explicit FullDisk(rlim_t bytes) : old_handler_(std::signal(SIGXFSZ, SIG_IGN)) {
-    getrlimit(RLIMIT_FSIZE, &old_limit_);
-    rlimit limit = old_limit_;
-    limit.rlim_cur = bytes;
-    setrlimit(RLIMIT_FSIZE, &limit);
-  }
-  ~FullDisk() {
-    setrlimit(RLIMIT_FSIZE, &old_limit_);
-    std::signal(SIGXFSZ, old_handler_);
-  }
-
- private:
-  rlimit old_limit_{};
-  void (*old_handler_)(int);
-};
-
 TEST_P(VideoTest, NoticesAFullDisk) {
-  const FullDisk full(100000);
+  const test::FullDisk full(100000);
   const fs::path path = folder_ / (std::string("out") + GetParam());
   EXPECT_THROW(
       {
@@ -141,7 +121,7 @@ TEST_F(PictureWriterTest, LeavesNoHalfPngOnAFullDisk) {
   PictureWriter writer(folder_ / "out");
   cv::Mat noise(480, 640, CV_8UC3);
   cv::randu(noise, 0, 256);
-  const FullDisk full(10000);
+  const test::FullDisk full(10000);
   EXPECT_THROW(writer.write(noise, 0), FileError);
   EXPECT_TRUE(fs::is_empty(folder_ / "out"));
 }

@@ -32,9 +32,10 @@ struct SequenceWriterOptions {
 /// (with model.mtl and model.png for colours and texture; millimetres), groundtruth.csv (if the
 /// source knows the truth) and meta.json. Frames are numbered from 0. Everything goes to a
 /// temporary folder beside `folder`, which takes its name at the end: nothing half-written is left.
-/// Returns the number of frames. Throws FileError (`folder` is a file or a non-empty folder; cannot
-/// be written), ConfigError (a bad option, a source without calibration or without any frame), and
-/// what the source throws.
+/// Should that fail (the disk is full, or another sequence came to be there meanwhile), the frames
+/// stay in the temporary folder, which the FileError names. Returns the number of frames. Throws
+/// FileError (`folder` is a file or a non-empty folder; cannot be written), ConfigError (a bad
+/// option, a source without calibration or without any frame), and what the source throws.
 std::int64_t write_sequence(FrameSource& source, const TriangleMesh& mesh,
                             const std::filesystem::path& folder,
                             const SequenceWriterOptions& options = {});
@@ -42,13 +43,14 @@ std::int64_t write_sequence(FrameSource& source, const TriangleMesh& mesh,
 /// What a recording came to.
 struct Recording {
   std::int64_t frames = 0;
-  std::int64_t lost = 0;  ///< that the camera took in between, but nobody received
+  std::int64_t lost = 0;    ///< that the camera took in between, but nobody received
+  std::int64_t broken = 0;  ///< that could not be read, and were logged and left out
 };
 
 /// Records from a camera (or any other source) until `options.stop` says so or the stream ends, as
 /// a sequence folder that plays the same images again: as `write_sequence`, but the model may be
-/// null and the source need not be calibrated. If the camera fails, what was recorded before is
-/// kept and its CaptureError thrown.
+/// null and the source need not be calibrated. If the camera or the disk fails, what was recorded
+/// before is kept and a CaptureError thrown that says so.
 Recording record_sequence(FrameSource& source, const TriangleMesh* mesh,
                           const std::filesystem::path& folder,
                           const SequenceWriterOptions& options = {});
