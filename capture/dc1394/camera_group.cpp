@@ -24,6 +24,11 @@ CameraGroup::CameraGroup(const std::vector<std::string>& guids, const Dc1394Opti
   if (guids.size() < 2) {
     throw ConfigError("a group needs the GUIDs of two or more cameras, separated by commas");
   }
+  if (options.trigger_source == "software") {
+    throw ConfigError(
+        "--trigger-source: 'software' fires one camera after the other; cameras of a group run "
+        "freely or share a pin");
+  }
   for (const std::string& guid : guids) {
     const bool twice = std::any_of(sources_.begin(), sources_.end(), [&](const auto& source) {
       return source->guid() == parse_guid(guid);
@@ -35,7 +40,11 @@ CameraGroup::CameraGroup(const std::vector<std::string>& guids, const Dc1394Opti
 
 std::optional<FrameSet> CameraGroup::next() {
   frames_.clear();
-  for (const auto& source : sources_) frames_.push_back(source->next_timed(which_));
+  std::vector<std::int64_t> lost;  // of each camera since the last set
+  for (const auto& source : sources_) {
+    frames_.push_back(source->next_timed(which_));
+    lost.push_back(frames_.back().frame.lost_before);
+  }
   const auto by_time = [](const TimedFrame& a, const TimedFrame& b) {
     return a.time_us < b.time_us;
   };
@@ -45,16 +54,9 @@ std::optional<FrameSet> CameraGroup::next() {
     if (spread_us <= kTogether_us) {
       FrameSet set;
       set.spread_s = static_cast<double>(spread_us) * 1e-6;
-      for (std::size_t i = 0; i < frames_.size(); ++i) {
-        if (!last_index_.empty()) {
-          set.lost_before = std::max(set.lost_before, frames_[i].frame.index - last_index_[i] - 1);
-        }
-      }
-      last_index_.clear();
-      for (TimedFrame& timed : frames_) {
-        last_index_.push_back(timed.frame.index);
-        set.frames.push_back(std::move(timed.frame));
-      }
+      // Cameras in step lose frames of the same sets or of different ones; nothing tells which.
+      set.lost_before = *std::max_element(lost.begin(), lost.end());
+      for (TimedFrame& timed : frames_) set.frames.push_back(std::move(timed.frame));
       return set;
     }
     if (attempt == kMostAttempts) {
@@ -67,6 +69,7 @@ std::optional<FrameSet> CameraGroup::next() {
     // In order, so that it does not overtake the others.
     const auto behind = static_cast<std::size_t>(first - frames_.begin());
     frames_[behind] = sources_[behind]->next_timed(Dc1394Options::Frames::every);
+    lost[behind] += frames_[behind].frame.lost_before;
   }
 }
 

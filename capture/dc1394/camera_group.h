@@ -24,7 +24,6 @@ class CameraGroup : public FrameSetSource {
   Dc1394Options::Frames which_;
   std::vector<std::unique_ptr<Dc1394Source>> sources_;
   std::vector<TimedFrame> frames_;
-  std::vector<std::int64_t> last_index_;  // of each camera's frame in the last set
 };
 
 }  // namespace anneal6d::dc1394

@@ -25,19 +25,6 @@ double free_running_period(const Camera& camera, const VideoFormat& format) {
   return fps && *fps > 0 ? std::max(1.0 / *fps, format.period_s) : 0;
 }
 
-// A camera that is only slow must not be taken for one that has failed.
-void check_patience(const Camera& camera, const Dc1394Options& options, double period_s) {
-  const double shutter_s = absolute_value(camera, "shutter").value_or(0) * 1e-3;
-  const double needed_s = 2 * std::max(period_s, shutter_s);
-  if (options.stall_timeout_s >= needed_s) return;
-  char given[32], needed[32];
-  std::snprintf(given, sizeof given, "%.4g", options.stall_timeout_s);
-  std::snprintf(needed, sizeof needed, "%.4g", needed_s);
-  refuse_setting(camera, "stall-timeout", given,
-                 std::string("a frame takes half of ") + needed +
-                     " s with its shutter and frame rate; give at least " + needed);
-}
-
 }  // namespace
 
 Configuration configure(const Camera& camera, const Dc1394Options& options,
@@ -59,8 +46,19 @@ Configuration configure(const Camera& camera, const Dc1394Options& options,
   configuration.triggered = waits_for_trigger(camera);
   configuration.period_s =
       configuration.triggered ? 0 : free_running_period(camera, configuration.format);
-  check_patience(camera, options, configuration.period_s);
   return configuration;
+}
+
+void check_patience(const Camera& camera, const Dc1394Options& options, double period_s) {
+  const double shutter_s = absolute_value(camera, "shutter").value_or(0) * 1e-3;
+  const double needed_s = 2 * std::max(period_s, shutter_s);
+  if (options.stall_timeout_s >= needed_s) return;
+  char given[32], needed[32];
+  std::snprintf(given, sizeof given, "%.4g", options.stall_timeout_s);
+  std::snprintf(needed, sizeof needed, "%.4g", needed_s);
+  refuse_setting(camera, "stall-timeout", given,
+                 std::string("a frame takes half of ") + needed +
+                     " s with its shutter and frame rate; give at least " + needed);
 }
 
 }  // namespace anneal6d::dc1394

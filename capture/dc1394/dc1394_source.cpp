@@ -66,6 +66,7 @@ void Dc1394Source::start(std::unique_ptr<Camera> camera) {
   configuration_ = configure(*camera, options_, calibration_);
   decoder_.emplace(configuration_.format, options_);
   if (!features_) {  // the first time
+    check_patience(*camera, options_, configuration_.period_s);
     save_memory(*camera, options_);
     features_.emplace(*camera);
   }
@@ -98,9 +99,7 @@ void Dc1394Source::wait_for_camera() {
       log(LogLevel::info,
           name_ + " sends again after " + seconds_text(waited) + ", with its settings restored");
       return;
-    } catch (const BackendUnavailable& error) {
-      reason = error.what();
-    } catch (const CaptureError& error) {  // plugged in, but not yet awake
+    } catch (const Error& error) {  // not there, or plugged in, but not yet awake
       reason = error.what();
     }
     std::this_thread::sleep_for(kBetweenSearches);
@@ -184,6 +183,7 @@ TimedFrame Dc1394Source::next_timed(Dc1394Options::Frames which) {
     IsoStream::Received received = stream_->receive(std::min(kQuiet, patience - waited), newest);
     if (received.outcome == IsoStream::Outcome::frame) {
       if (auto frame = take(std::move(received))) return *std::move(frame);
+      since = Clock::now();  // it sends, though nothing that is wanted yet
       fire_trigger();
     } else if (received.outcome == IsoStream::Outcome::gone) {
       let_go("was unplugged; waiting for it");

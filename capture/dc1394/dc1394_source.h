@@ -32,6 +32,10 @@ struct Configuration {
 Configuration configure(const Camera& camera, const Dc1394Options& options,
                         const std::optional<CameraModel>& calibration);
 
+/// Throws ConfigError if the stall timeout would take a camera that is only slow, by its shutter or
+/// frame rate, for one that has failed. `period_s` as in Configuration.
+void check_patience(const Camera& camera, const Dc1394Options& options, double period_s);
+
 /// A frame with the time of its exposure on the host's clock.
 struct TimedFrame {
   Frame frame;

@@ -119,6 +119,23 @@ TEST_F(Dc1394Faults, ATriggeredCameraGoesOnAfterAReplug) {
   EXPECT_TRUE(source->next());
 }
 
+TEST_F(Dc1394Faults, IsStartedAgainThoughItsShutterBecameSlowerThanThePatienceAllowsAtFirst) {
+  test::EmulatedCamera& camera = camera_with(Fault::Kind::reset_stops);
+  const auto source = open({{"shutter", "auto"}, {"frame-rate", "off"}, {"stall-timeout", "1"}});
+  take_three(*source);
+  {
+    // It is dark, and automatic exposure comes to 0.9 s: half of the patience would be needed.
+    constexpr std::uint64_t kShutter = 0xF0081C, kShutterInSeconds = 0xF00978;
+    const std::lock_guard lock(bus_.mutex());
+    const auto automatic = camera.registers().read(kShutter);
+    camera.registers().write(kShutter, *automatic | 0x40000000U);
+    EXPECT_TRUE(camera.registers().write(kShutterInSeconds, std::bit_cast<std::uint32_t>(0.9F)));
+    camera.registers().write(kShutter, *automatic);
+  }
+  for (int i = 0; i < 3; ++i) EXPECT_TRUE(source->next());
+  EXPECT_TRUE(has(log_, {"sends again"}));
+}
+
 TEST_F(Dc1394Faults, IndexAndTimeGoOnOverAReplug) {
   camera_with(Fault::Kind::unplug).replug_after = 2;
   const auto source = open();

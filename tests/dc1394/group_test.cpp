@@ -1,5 +1,8 @@
 // SPDX-License-Identifier: BSD-3-Clause
 // Copyright (c) 2026 The Anneal6D authors
+#include <chrono>
+#include <thread>
+
 #include "dc1394_test.h"
 
 namespace anneal6d {
@@ -48,6 +51,23 @@ TEST_F(Dc1394Group, AFrameThatOneCameraLostCostsTheSet) {
 TEST_F(Dc1394Group, GivesTheNewestFramesThatBelongTogether) {
   const auto source = group({{"capture", "newest"}});
   for (int i = 0; i < 20; ++i) EXPECT_LE(source->next()->spread_s, 0.0005);
+}
+
+TEST_F(Dc1394Group, WhatIsPassedOverIsNotLost) {
+  bus_.set_pace(emulated::Pace::real_time);
+  const auto source = group({{"capture", "newest"}, {"frame-info", "on"}});
+  source->next();
+  std::this_thread::sleep_for(std::chrono::milliseconds(170));  // five frames
+  const auto set = source->next();
+  EXPECT_EQ(set->lost_before, 0);
+  EXPECT_GE(set->frames[0].index, 4);
+}
+
+TEST_F(Dc1394Group, RefusesASoftwareTrigger) {
+  EXPECT_TRUE(has(message_of<ConfigError>([] {
+                    group({{"trigger", "0"}, {"trigger-source", "software"}});
+                  }),
+                  {"--trigger-source", "pin"}));
 }
 
 TEST_F(Dc1394Group, SaysThatCamerasDoNotRunInStep) {

@@ -33,15 +33,15 @@ class Dc1394Settings : public test::Dc1394Test {
 
 TEST_F(Dc1394Settings, MalformedValuesAreRefusedWithoutACamera) {
   for (const auto& [name, value] : std::vector<std::pair<std::string, std::string>>{
-           {"roi", "1,2,3"},          {"roi", "a,b,c,d"},         {"fps", "fast"},
-           {"iso-speed", "500"},      {"buffers", "1"},           {"buffers", "65"},
-           {"capture", "some"},       {"stall-timeout", "0"},     {"debayer", "magic"},
-           {"bayer-pattern", "rgbg"}, {"gain", "loud"},           {"gain", "abs:x"},
-           {"gain", "1,2"},           {"white-balance", "5"},     {"trigger", "x"},
-           {"trigger-source", "9"},   {"trigger-polarity", "up"}, {"strobe", "1:high"},
-           {"strobe", "1:up:0:0"},    {"gpio-direction", "left"}, {"gpio-output", "256"},
-           {"memory-load", "-1"},     {"power-down", "maybe"},    {"frame-info", "perhaps"},
-           {"packet-size", "0"},      {"settle-frames", "-1"}}) {
+           {"roi", "1,2,3"},          {"roi", "0,0,320,240,"},   {"roi", "a,b,c,d"},
+           {"fps", "fast"},           {"iso-speed", "500"},      {"buffers", "1"},
+           {"buffers", "65"},         {"capture", "some"},       {"stall-timeout", "0"},
+           {"debayer", "magic"},      {"bayer-pattern", "rgbg"}, {"gain", "loud"},
+           {"gain", "abs:x"},         {"gain", "1,2"},           {"white-balance", "5"},
+           {"trigger", "x"},          {"trigger-source", "9"},   {"trigger-polarity", "up"},
+           {"strobe", "1:high"},      {"strobe", "1:up:0:0"},    {"gpio-direction", "left"},
+           {"gpio-output", "256"},    {"memory-load", "-1"},     {"power-down", "maybe"},
+           {"frame-info", "perhaps"}, {"packet-size", "0"},      {"settle-frames", "-1"}}) {
     expect_malformed(name, value);
   }
 }

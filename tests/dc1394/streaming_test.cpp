@@ -157,6 +157,14 @@ TEST_F(Dc1394Streaming, DropsTheFirstFramesUntilSettingsHaveSettled) {
   EXPECT_EQ(largest_difference(source->next()->image, third), 0);
 }
 
+TEST_F(Dc1394Streaming, FramesThatAreDroppedAreNoSilence) {
+  bus_.add_camera("DR2-BW", test::kGuid);
+  bus_.set_pace(emulated::Pace::real_time);
+  // A second of frames is dropped, twice the patience.
+  const auto source = open({{"settle-frames", "60"}, {"fps", "60"}, {"stall-timeout", "0.5"}});
+  EXPECT_EQ(source->next()->lost_before, 0);
+}
+
 TEST_F(Dc1394Streaming, FramesStayAsTheyAreWhenTheRingGoesOn) {
   bus_.add_camera("DR2-BW", test::kGuid);
   const auto source = open({{"buffers", "2"}});
