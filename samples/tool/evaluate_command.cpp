@@ -30,6 +30,11 @@ struct EvaluateOptions {
 
 constexpr const char* kSummaryFile = "summary.json";
 
+/// Text that is not UTF-8 (a file's name) is replaced rather than refused.
+std::string as_text(const nlohmann::ordered_json& json, int indent = -1) {
+  return json.dump(indent, ' ', false, nlohmann::ordered_json::error_handler_t::replace);
+}
+
 /// "data/cup/" is "cup".
 std::string name_of(const std::string& sequence) {
   std::filesystem::path path = std::filesystem::absolute(sequence).lexically_normal();
@@ -50,6 +55,10 @@ std::vector<std::string> names_of(const EvaluateOptions& options) {
   }
   if (several && !options.evaluation.tracking.init.empty()) {
     throw ConfigError("--init belongs to one sequence; give one");
+  }
+  if (several && options.evaluation.outputs.any()) {
+    throw ConfigError(
+        "--poses, --overlay and --edge-pictures belong to one sequence; give one, or --out");
   }
   return names;
 }
@@ -96,7 +105,7 @@ std::map<std::string, std::string> options_text(const EvaluationOptions& options
   text["seed"] = options.tracking.settings.text("seed").value_or("");
   const nlohmann::ordered_json json = options_json(options);
   for (const auto& [name, value] : json.items()) {
-    text[name] = value.is_string() ? value.get<std::string>() : value.dump();
+    text[name] = value.is_string() ? value.get<std::string>() : as_text(value);
   }
   return text;
 }
@@ -113,7 +122,7 @@ void write_results(const std::vector<SequenceEvaluation>& evaluations,
   write_file_atomically(folder.path() / "report.html",
                         html_report(evaluations, options_text(options)));
   write_file_atomically(folder.path() / kSummaryFile,
-                        summary_json(evaluations, options).dump(2) + "\n");
+                        as_text(summary_json(evaluations, options), 2) + "\n");
   folder.commit(kSummaryFile);
 }
 
@@ -146,6 +155,7 @@ Command add_evaluate_command(CLI::App& tool) {
   auto options = std::make_shared<EvaluateOptions>();
   app->add_option("SEQUENCE", options->sequences, "Sequence folders")->required();
   add_tracking_options(*app, options->evaluation.tracking);
+  add_output_options(*app, options->evaluation.outputs);
   app->add_option("--protocol", options->protocol,
                   "free: never reset; rbot: reset to the ground truth after a frame that is 50 mm "
                   "or 5 degrees off; default free")

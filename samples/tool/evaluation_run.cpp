@@ -27,26 +27,35 @@ std::optional<Pose> truth_of(const std::map<std::int64_t, Pose>& truth, std::int
   return found->second;
 }
 
+/// The poses that a sequence is judged against.
+std::map<std::int64_t, Pose> truth_for(const std::map<std::int64_t, Pose>& ground_truth,
+                                       const EvaluationOptions& options) {
+  return options.reference.empty() ? ground_truth : load_poses(options.reference);
+}
+
 SequenceEvaluation evaluate_sequence(const std::string& folder, const std::string& name,
                                      const EvaluationOptions& options,
                                      const std::atomic<bool>& stop, Progress& progress) {
   TrackingJob job = open_tracking_job(folder, options.tracking, {});
-  const std::map<std::int64_t, Pose> truth =
-      options.reference.empty() ? job.ground_truth : load_poses(options.reference);
+  const std::map<std::int64_t, Pose> truth = truth_for(job.ground_truth, options);
   const std::optional<Frame> first = job.frames->next();
   if (!first) throw ConfigError(folder + " has no frame after --start");
 
   SequenceEvaluation evaluation;
-  evaluation.rows.push_back(given_row(
-      first->index,
-      start_tracker(*job.tracker, options.tracking, truth_of(truth, first->index), *first)));
+  RunOutputs outputs(options.outputs, options.tracking, job);
+  const auto add_row = [&](const Frame& frame, const PoseRow& row, const TrackResult& result) {
+    evaluation.rows.push_back(row);
+    outputs.write(frame, row, result);
+  };
+  const Pose start = start_tracker(*job.tracker, job.init, truth_of(truth, first->index), *first);
+  add_row(*first, given_row(first->index, start), given_result(start));
   progress.advance();
 
   int restarts = 0;
   while (const std::optional<Frame> frame = job.frames->next()) {
     if (interrupted() || stop) throw Error("interrupted; nothing was written");
     const TimedResult timed = track_timed(*job.tracker, *frame);
-    evaluation.rows.push_back(estimated_row(frame->index, timed));
+    add_row(*frame, estimated_row(frame->index, timed), timed.result);
     progress.advance(1, name);
 
     const std::optional<Pose> true_pose = truth_of(truth, frame->index);
@@ -61,6 +70,7 @@ SequenceEvaluation evaluate_sequence(const std::string& folder, const std::strin
       ++restarts;
     }
   }
+  outputs.commit();
   evaluation.summary = summarise(name, evaluation.judged);
   evaluation.summary.restarts = restarts;
   evaluation.summary.broken_frames = static_cast<double>(job.frames->broken());
@@ -70,14 +80,32 @@ SequenceEvaluation evaluate_sequence(const std::string& folder, const std::strin
   return evaluation;
 }
 
-/// How many frames all folders have, as far as that can be told without reading images.
-std::int64_t total_frames(std::span<const std::string> folders, const TrackingOptions& options) {
-  std::int64_t total = 0;
-  for (const std::string& folder : folders) {
-    const auto images = static_cast<std::int64_t>(open_sequence_folder(folder).images.size());
-    total += chosen_frames(images, options);
+/// Finds out before hours of tracking what would stop it: throws ConfigError and FileError.
+/// Returns how many frames are chosen.
+std::int64_t check_sequence(const std::string& path, const EvaluationOptions& options) {
+  const TrackingOptions& tracking = options.tracking;
+  const SequenceFolder folder = open_sequence_folder(path);
+  if (!folder.camera_file && tracking.camera.empty()) {
+    throw ConfigError(path + " has no camera.yml; give one with --camera");
   }
-  return total;
+  if (!folder.model_file && tracking.model.empty()) {
+    throw ConfigError(path + " has no model.obj; give one with --model");
+  }
+  const auto images = static_cast<std::int64_t>(folder.images.size());
+  const std::int64_t frames = chosen_frames(images, tracking);
+  if (frames == 0) throw ConfigError(path + " has no frame after --start");
+  const std::map<std::int64_t, Pose> truth = truth_for(folder.ground_truth, options);
+  if (tracking.init.empty() && !truth.contains(tracking.start)) {
+    throw ConfigError(
+        fmt::format("{}: the pose of the object in frame {} is not known; give it with --init",
+                    path, tracking.start));
+  }
+  for (std::int64_t i = 1; i < frames; ++i) {
+    if (truth.contains(tracking.start + i * tracking.stride)) return frames;
+  }
+  throw ConfigError(path +
+                    ": no frame after the first has ground truth to judge it by; give another "
+                    "--start, --stride, --frames or --reference");
 }
 
 }  // namespace
@@ -95,7 +123,9 @@ std::string_view to_string(Protocol protocol) {
 std::vector<SequenceEvaluation> evaluate_sequences(std::span<const std::string> folders,
                                                    std::span<const std::string> names,
                                                    const EvaluationOptions& options) {
-  Progress progress("evaluating", total_frames(folders, options.tracking));
+  std::int64_t total_frames = 0;
+  for (const std::string& folder : folders) total_frames += check_sequence(folder, options);
+  Progress progress("evaluating", total_frames);
   std::vector<SequenceEvaluation> evaluations(folders.size());
   std::atomic<std::size_t> next = 0;
   std::atomic<bool> stop = false;

@@ -11,6 +11,7 @@
 #include "evaluation.h"
 #include "evaluation_pictures.h"
 #include "options.h"
+#include "run_outputs.h"
 
 namespace anneal6d {
 
@@ -25,6 +26,7 @@ std::string_view to_string(Protocol protocol);
 
 struct EvaluationOptions {
   TrackingOptions tracking;
+  OutputOptions outputs;  ///< of one sequence
   Protocol protocol = Protocol::free;
   std::string reference;  ///< poses to judge against; empty: the sequence's groundtruth.csv
   int jobs = 1;           ///< sequences at the same time

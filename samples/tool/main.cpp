@@ -3,6 +3,7 @@
 //
 // The `anneal6d` tool: a table of subcommands, and what they have in common.
 
+#include <cstdio>
 #include <exception>
 #include <set>
 #include <string>
@@ -48,7 +49,11 @@ int run(const anneal6d::Command& command, const std::string& config) {
   std::set<std::string> keys_from_config;
   try {
     if (!config.empty()) keys_from_config = anneal6d::apply_config_file(*command.app, config);
-    return command.run();
+    const int status = command.run();
+    if (std::fflush(stdout) != 0 || std::ferror(stdout) != 0) {
+      throw anneal6d::Error("standard output cannot be written");
+    }
+    return status;
   } catch (const anneal6d::ConfigError& error) {
     anneal6d::log(anneal6d::LogLevel::error, with_origin(error.what(), config, keys_from_config));
     return kWrongUsage;

@@ -105,12 +105,18 @@ void add_device_options(CLI::App& command, Settings& settings) {
   }
 }
 
+bool is_simulation(const std::string& input) { return input.starts_with("simulate:"); }
+
 void check_device_options(const std::string& input, const Settings& settings) {
   if (input.starts_with("dc1394:") || settings.begin() == settings.end()) return;
   throw ConfigError("--" + settings.begin()->first +
-                    ": only for FireWire cameras (dc1394:), not "
-                    "for '" +
-                    input + "'");
+                    ": only for FireWire cameras (dc1394:), not for '" + input + "'");
+}
+
+void check_simulation_options(const std::string& input, const Settings& settings) {
+  if (is_simulation(input) || settings.begin() == settings.end()) return;
+  throw ConfigError("--" + settings.begin()->first + ": only for simulate:, not for '" + input +
+                    "'");
 }
 
 }  // namespace anneal6d

@@ -36,8 +36,14 @@ void add_simulation_options(CLI::App& command, Settings& settings);
 /// How a FireWire camera is set up. `settings` gets what the user gave.
 void add_device_options(CLI::App& command, Settings& settings);
 
+/// Whether an INPUT is "simulate:".
+bool is_simulation(const std::string& input);
+
 /// Throws ConfigError if device options were given for an input that has no such device.
 void check_device_options(const std::string& input, const Settings& settings);
+
+/// The same of simulation options and an input that is not simulated.
+void check_simulation_options(const std::string& input, const Settings& settings);
 
 /// `--name`, kept as typed: whoever reads the setting checks the value.
 CLI::Option* add_setting(CLI::App& command, Settings& settings, const std::string& name,

@@ -23,15 +23,18 @@ void move_file(const fs::path& from, const fs::path& to) {
 
 }  // namespace
 
-StagedFolder::StagedFolder(const fs::path& target)
-    : target_(fs::absolute(target).lexically_normal()) {
-  if (!target_.has_filename()) target_ = target_.parent_path();  // "results/"
+StagedFolder::StagedFolder(const fs::path& target) {
   std::error_code error;
-  if (fs::exists(target_, error) && !fs::is_directory(target_, error)) {
+  target_ = fs::weakly_canonical(fs::absolute(target), error);
+  if (error) throw FileError(target, "", "cannot be reached: " + error.message());
+  if (!target_.has_filename()) target_ = target_.parent_path();  // "results/"
+  const bool exists = fs::exists(target_, error);
+  if (exists && !fs::is_directory(target_, error)) {
     throw FileError(target, "", "is a file; a folder is needed");
   }
-  staging_ = target_.parent_path() /
-             ("." + target_.filename().string() + "." + std::to_string(std::random_device{}()));
+  const std::string unique = std::to_string(std::random_device{}());
+  staging_ = exists ? target_ / (".partial-" + unique)
+                    : target_.parent_path() / ("." + target_.filename().string() + "." + unique);
   fs::create_directories(staging_, error);
   if (error) throw FileError(target, "", "cannot be written: " + error.message());
 }

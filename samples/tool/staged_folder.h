@@ -6,8 +6,9 @@
 
 namespace anneal6d {
 
-/// A folder of results that appears as a whole: files are written to a hidden folder beside
-/// `target` and move there on `commit()`; without a commit nothing is left.
+/// A folder of results that appears as a whole: files are written to a hidden folder and move to
+/// `target` on `commit()`; without a commit nothing is left. The hidden one lies beside the target,
+/// or inside it if that is there already: it may be a disk of its own, or a link to one.
 class StagedFolder {
  public:
   /// Throws FileError if `target` is a file or its parent cannot be written.

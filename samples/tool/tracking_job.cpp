@@ -20,8 +20,6 @@ namespace fs = std::filesystem;
 
 namespace {
 
-bool is_simulation(const std::string& input) { return input.starts_with("simulate:"); }
-
 /// The simulated object starts where the tracker starts, moves as the tracker expects, and as long
 /// as frames are wanted.
 Settings simulation_settings(const TrackingOptions& options, const Settings& simulation) {
@@ -72,6 +70,8 @@ TrackingJob open_tracking_job(const std::string& input, const TrackingOptions& o
   }
 
   check_device_options(input, options.device);
+  check_simulation_options(input, simulation);
+  if (!is_simulation(input)) job.init = options.init;
   FrameSourceSetup source;
   source.input = input;
   source.settings = options.device;
@@ -98,11 +98,11 @@ TrackingJob open_tracking_job(const std::string& input, const TrackingOptions& o
   return job;
 }
 
-Pose start_tracker(RigidObjectTracker& tracker, const TrackingOptions& options,
+Pose start_tracker(RigidObjectTracker& tracker, const std::string& init,
                    const std::optional<Pose>& truth, const Frame& frame) {
-  if (!options.init.empty()) {
+  if (!init.empty()) {
     try {
-      const Pose pose = parse_pose(options.init);
+      const Pose pose = parse_pose(init);
       tracker.reset(pose, frame);
       return pose;
     } catch (const ConfigError& error) {
@@ -132,6 +132,14 @@ TimedResult track_timed(RigidObjectTracker& tracker, const Frame& frame) {
   timed.milliseconds =
       std::chrono::duration<double, std::milli>(std::chrono::steady_clock::now() - start).count();
   return timed;
+}
+
+TrackResult given_result(const Pose& pose) {
+  TrackResult result;
+  result.camera_from_object = result.best_camera_from_object = pose;
+  result.quality = 1;
+  result.status = TrackStatus::tracking;
+  return result;
 }
 
 PoseRow given_row(std::int64_t frame, const Pose& pose) {

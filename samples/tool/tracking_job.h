@@ -26,6 +26,9 @@ struct TrackingJob {
   std::unique_ptr<FrameSource> source;
   std::optional<FrameReader> frames;
   std::optional<std::int64_t> expected_frames;  ///< how many will come, if that is known
+  /// `--init`, the pose in the first chosen frame; empty: not given, or meant for the simulation,
+  /// whose first frame need not be chosen.
+  std::string init;
   std::unique_ptr<RigidObjectTracker> tracker;
 };
 
@@ -41,9 +44,9 @@ std::shared_ptr<const TriangleMesh> load_model(const std::filesystem::path& path
 /// How many of `available` frames --start, --stride and --frames choose.
 std::int64_t chosen_frames(std::int64_t available, const TrackingOptions& options);
 
-/// Starts the tracker in `frame`. The pose is `--init`, if given, else `truth`, which may be
-/// unknown. Throws ConfigError for a bad `--init`, Error for a missing or bad truth.
-Pose start_tracker(RigidObjectTracker& tracker, const TrackingOptions& options,
+/// Starts the tracker in `frame`. The pose is `init`, if not empty, else `truth`, which may be
+/// unknown. Throws ConfigError for a bad `init`, Error for a missing or bad truth.
+Pose start_tracker(RigidObjectTracker& tracker, const std::string& init,
                    const std::optional<Pose>& truth, const Frame& frame);
 
 /// Throws Error: the pose is not one that a tracker can start from.
@@ -55,6 +58,9 @@ struct TimedResult {
   double milliseconds = 0;
 };
 TimedResult track_timed(RigidObjectTracker& tracker, const Frame& frame);
+
+/// What a tracker would say of a pose that was given.
+TrackResult given_result(const Pose& camera_from_object);
 
 /// The row of a frame whose pose was given, and of one whose pose was estimated.
 PoseRow given_row(std::int64_t frame, const Pose& camera_from_object);

@@ -90,7 +90,67 @@ TEST_F(Evaluate, RestartsAfterAFailedFrameInTheRbotProtocolOnly) {
   EXPECT_EQ(failed[10], "0") << "the row keeps the failed estimate";
   const double truth_x = load_poses(scratch_ / "sequence/groundtruth.csv").at(2).translation_mm.x();
   EXPECT_GT(std::abs(std::stod(failed[1]) - truth_x), 30);
+
+  // Up to there both runs are the same; the reset shows in the next frame.
+  const auto x_of = [&](const char* folder, std::size_t line) {
+    return cells_of(lines_of(scratch_ / folder / "sequence/poses.csv")[line])[1];
+  };
+  EXPECT_EQ(x_of("rbot", 3), x_of("free", 3));
+  EXPECT_NE(x_of("rbot", 4), x_of("free", 4));
 }
+
+TEST_F(Evaluate, WritesPosesAndOverlayOfOneSequenceAsTrackDoes) {
+  if (const std::string why = why_no_opengl(); !why.empty()) GTEST_SKIP() << why;
+  const ProgramRun run = tool("evaluate " + sequence_argument_ +
+                              " --frames 3 --poses p.csv --overlay pictures --out results" + fast_);
+  ASSERT_EQ(run.status, 0) << run.err;
+  EXPECT_EQ(lines_of(scratch_ / "p.csv"), lines_of(scratch_ / "results/sequence_short/poses.csv"));
+  EXPECT_TRUE(fs::exists(scratch_ / "pictures/overlay_0002.png"));
+  fs::copy(sequence_, scratch_ / "a", fs::copy_options::recursive);
+  expect_refused("evaluate a " + sequence_argument_ + " --poses q.csv", 2, {"--poses"});
+}
+
+TEST_F(Evaluate, FindsOutWhatIsMissingBeforeItTracks) {
+  fs::copy(sequence_, scratch_ / "a", fs::copy_options::recursive);
+  fs::copy(sequence_, scratch_ / "b", fs::copy_options::recursive);
+  const auto refused = [&](const std::string& options, const std::vector<std::string>& words) {
+    // The first sequence would be evaluated before the second is looked at.
+    expect_refused("evaluate a b --particles 100000 --layers 100 --mode thesis" + options, 2,
+                   words);
+  };
+  fs::rename(scratch_ / "b/camera.yml", scratch_ / "camera.yml");
+  refused("", {"b has no camera.yml", "--camera"});
+  fs::rename(scratch_ / "camera.yml", scratch_ / "b/camera.yml");
+  fs::rename(scratch_ / "b/model.obj", scratch_ / "model.obj");
+  refused("", {"b has no model.obj", "--model"});
+  fs::rename(scratch_ / "model.obj", scratch_ / "b/model.obj");
+  auto truth = load_poses(scratch_ / "b/groundtruth.csv");
+  truth.erase(0);
+  save_poses(truth, scratch_ / "b/groundtruth.csv");
+  refused("", {"b: the pose", "frame 0", "--init"});
+  refused(" --start 19", {"no frame after the first", "--start"});
+  refused(" --start 20", {"no frame after --start"});
+}
+
+#ifdef __linux__
+TEST_F(Evaluate, ReportsASequenceWhoseNameIsNotUtf8) {
+  const std::string name = "caf\xe9";
+  fs::copy(sequence_, scratch_ / name, fs::copy_options::recursive);
+  const ProgramRun run = tool("evaluate " + quoted(name) + " --frames 2 --out results" + fast_);
+  ASSERT_EQ(run.status, 0) << run.err;
+  EXPECT_EQ(summary("results").at("sequences").at(0).at("frames"), 1);
+}
+
+TEST_F(Evaluate, FailsIfItsTableCannotBeWritten) {
+  if (!fs::exists("/dev/full")) GTEST_SKIP() << "no /dev/full here";
+  const ProgramRun run =
+      run_program("{ " + quoted(ANNEAL6D_TOOL) + " evaluate " + sequence_argument_ + " --frames 2" +
+                      fast_ + " >/dev/full; }",
+                  scratch_);
+  EXPECT_EQ(run.status, 1);
+  EXPECT_NE(run.err.find("standard output"), std::string::npos) << run.err;
+}
+#endif
 
 TEST_F(Evaluate, JudgesAgainstAnotherPoseFile) {
   const fs::path copy = copy_of_sequence();

@@ -15,13 +15,7 @@ class Simulate : public ToolTest {
   std::string model_ = " --model " + quoted((sequence_ / "model.obj").string());
 
   void SetUp() override {
-    const ProgramRun list = tool("list");
-    const std::size_t reference = list.out.find("reference");
-    const std::size_t reason = list.out.find("not available", reference);
-    if (reference != std::string::npos && reason != std::string::npos &&
-        reason < list.out.find("frame sources")) {
-      GTEST_SKIP() << "no OpenGL here: " << list.out.substr(reason);
-    }
+    if (const std::string why = why_no_opengl(); !why.empty()) GTEST_SKIP() << why;
   }
 };
 
@@ -34,6 +28,19 @@ TEST_F(Simulate, WritesASequenceThatCanBeTracked) {
   EXPECT_EQ(folder.ground_truth.size(), 4U);
   EXPECT_TRUE(folder.camera_file && folder.model_file);
   EXPECT_EQ(tool("evaluate out" + fast_).status, 0);
+}
+
+TEST_F(Simulate, ATrackerThatStartsLaterStartsAtTheTruthOfThatFrame) {
+  const std::string start = " --start 30 --init \"0 0 600 1 0 0 0\" --frames 1" + model_;
+  const ProgramRun run = tool("track simulate:" + start + fast_);
+  ASSERT_EQ(run.status, 0) << run.err;
+  ASSERT_EQ(tool("simulate out --frames 31 --init \"0 0 600 1 0 0 0\"" + model_).status, 0);
+  const Pose truth = open_sequence_folder(scratch_ / "out").ground_truth.at(30);
+  const std::vector<std::string> row = cells_of(run.out.substr(run.out.find('\n') + 1));
+  ASSERT_EQ(row.at(0), "30");
+  EXPECT_NEAR(std::stod(row.at(1)), truth.translation_mm.x(), 1e-3);
+  EXPECT_NEAR(std::stod(row.at(3)), truth.translation_mm.z(), 1e-3);
+  EXPECT_GT((truth.translation_mm - Eigen::Vector3d(0, 0, 600)).norm(), 1) << "it moved";
 }
 
 TEST_F(Simulate, GivesTheSameImagesForTheSameSeed) {

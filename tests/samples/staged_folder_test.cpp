@@ -57,6 +57,31 @@ TEST_F(StagedFolderTest, ReplacesFilesOfTheSameNamesAndKeepsOthers) {
   EXPECT_EQ(read_file(target_ / "notes.txt"), "mine");
 }
 
+TEST_F(StagedFolderTest, LeavesAFolderThatWasThereAsItWasWithoutCommit) {
+  write(target_ / "notes.txt", "mine");
+  {
+    const StagedFolder folder(target_);
+    write(folder.path() / "summary.json", "new");
+  }
+  EXPECT_EQ(std::distance(fs::directory_iterator(target_), {}), 1);
+}
+
+TEST_F(StagedFolderTest, WritesWhereALinkLeadsToBeItOnAnotherDisk) {
+  const fs::path other = "/dev/shm";
+  if (!fs::is_directory(other)) GTEST_SKIP() << "no second disk: " << other << " is missing";
+  const fs::path place = other / "anneal6d_staged_folder_test";
+  fs::create_directories(place);
+  fs::create_directory_symlink(place, target_);
+  StagedFolder folder(target_);
+  write(folder.path() / "cup" / "poses.csv", "poses");
+  write(folder.path() / "summary.json", "{}");
+  folder.commit("summary.json");
+  EXPECT_EQ(read_file(place / "summary.json"), "{}");
+  EXPECT_EQ(read_file(place / "cup" / "poses.csv"), "poses");
+  EXPECT_TRUE(fs::is_symlink(target_));
+  fs::remove_all(place);
+}
+
 TEST_F(StagedFolderTest, RefusesAFileAsTarget) {
   write(target_, "a file");
   EXPECT_THROW(StagedFolder{target_}, FileError);

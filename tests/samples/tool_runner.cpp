@@ -93,6 +93,17 @@ void ToolTest::expect_refused(const std::string& arguments, int status,
   }
 }
 
+std::string ToolTest::why_no_opengl() const {
+  const std::string list = tool("list").out;
+  const std::size_t reference = list.find("reference");
+  const std::size_t reason = list.find("not available", reference);
+  if (reference == std::string::npos || reason == std::string::npos ||
+      reason > list.find("frame sources")) {
+    return "";
+  }
+  return "no OpenGL here: " + list.substr(reason);
+}
+
 fs::path ToolTest::copy_of_sequence() const {
   const fs::path copy = scratch_ / "sequence";
   fs::copy(sequence_, copy, fs::copy_options::recursive);

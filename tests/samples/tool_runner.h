@@ -41,6 +41,9 @@ class ToolTest : public ::testing::Test {
   void expect_refused(const std::string& arguments, int status,
                       const std::vector<std::string>& words) const;
 
+  /// Why the tool cannot draw here, as `anneal6d list` says it; empty if it can.
+  std::string why_no_opengl() const;
+
   /// A copy of the short sequence for a test to damage.
   std::filesystem::path copy_of_sequence() const;
   void write(const std::filesystem::path& path, const std::string& content) const;

@@ -19,15 +19,16 @@ TEST_F(Usage, HelpAndVersionOfEachCommandGoToStandardOutput) {
   }
 }
 
-TEST_F(Usage, HelpOfTrackNamesEveryOptionOfTheContract) {
-  const std::string help = tool("track --help").out;
+TEST_F(Usage, HelpOfTrackAndEvaluateNamesTheOptionsTheyShare) {
+  const std::string track = tool("track --help").out, evaluate = tool("evaluate --help").out;
   for (const char* option :
        {"--model ",     "--model-unit ", "--camera ",         "--init ",          "--tracker ",
         "--plugin ",    "--scorer ",     "--particles ",      "--layers ",        "--sigma-mm ",
         "--sigma-deg ", "--edges ",      "--edge-threshold ", "--canny-low ",     "--seed ",
         "--threads ",   "--start ",      "--stride ",         "--frames ",        "--poses ",
         "--overlay ",   "--mode ",       "--textured ",       "--edge-pictures ", "--config "}) {
-    EXPECT_NE(help.find(option), std::string::npos) << option;
+    EXPECT_NE(track.find(option), std::string::npos) << option;
+    EXPECT_NE(evaluate.find(option), std::string::npos) << option;
   }
 }
 
@@ -39,6 +40,7 @@ TEST_F(Usage, WrongUsageIsStatusTwoWithAMessage) {
   expect_refused("simulate out", 2, {"--model"});
   expect_refused("record camera:0", 2, {"OUT"});
   expect_refused("track " + sequence_argument_ + " --gain 300", 2, {"--gain", "dc1394:"});
+  expect_refused("track " + sequence_argument_ + " --noise 3", 2, {"--noise", "simulate:"});
   expect_refused("track " + sequence_argument_ + " --particels 5", 2, {"--particels"});
   expect_refused("track " + sequence_argument_ + " --stride 0", 2, {"--stride"});
   expect_refused("track " + sequence_argument_ + " --frames many", 2, {"--frames"});
