@@ -27,7 +27,7 @@ constexpr std::size_t kMost = 75;
 struct Rows {
   std::array<std::array<float, kMost + LineJob::kPadding>, 22> numbers{};
 
-  ContourPoints points() {
+  ProjectedContour points() {
     auto* row = numbers.data();
     const auto next = [&] { return (row++)->data(); };
     return {next(), next(), next(), next(), next(), next(), next(),
@@ -109,7 +109,7 @@ TEST(ProjectedContour, IsWhatGeometrySays) {
       const test::OnInstructionSet on(target);
       SCOPED_TRACE(hwy::TargetName(target));
       Rows rows;
-      const ContourPoints points = rows.points();
+      const ProjectedContour points = rows.points();
       const std::size_t count = project_contour(job_of(pose, samples), points);
       std::size_t seen = 0;
       for (const ContourSample& sample : samples) {

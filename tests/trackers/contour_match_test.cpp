@@ -122,7 +122,7 @@ TEST(EdgesOfAMovedCylinder, MoveAcrossThemselvesAsItsPointsDo) {
   const std::vector<MovedEdge> edges = match.moved_edges(motion, Appearance(1));
   const Pose before{Eigen::Quaterniond::Identity(), oblique() * views.center_mm()};
   const Pose after = moved(before, motion);
-  const ContourPoints& points = match.points();
+  const ProjectedContour& points = match.points();
   std::size_t outlines = 0;
   for (std::size_t i = 0; i < match.size(); ++i) {
     const Eigen::Vector3d at(points.camera_x[i], points.camera_y[i], points.camera_z[i]);

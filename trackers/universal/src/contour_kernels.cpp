@@ -94,7 +94,7 @@ class SampleBlock {
   HWY_ALIGN float numbers_[kNumbers][kLongestVector];
 };
 
-std::size_t ProjectContour(const ProjectionJob& job, const ContourPoints& points) {
+std::size_t ProjectContour(const ProjectionJob& job, const ProjectedContour& points) {
   constexpr F f;
   std::size_t seen = 0;
   for (std::size_t first = 0; first < job.samples.size(); first += hn::Lanes(f)) {
@@ -238,7 +238,7 @@ HWY_AFTER_NAMESPACE();
 namespace anneal6d {
 
 HWY_EXPORT(ProjectContour);
-std::size_t project_contour(const ProjectionJob& job, const ContourPoints& points) {
+std::size_t project_contour(const ProjectionJob& job, const ProjectedContour& points) {
   return HWY_DYNAMIC_DISPATCH(ProjectContour)(job, points);
 }
 

@@ -15,7 +15,7 @@ namespace anneal6d {
 // time.
 
 /// Contour points in an image, an entry a point, with room for a whole vector behind the last one.
-struct ContourPoints {
+struct ProjectedContour {
   float *camera_x, *camera_y, *camera_z;  ///< millimetres, camera frame
   float *image_x, *image_y;               ///< pixels of the picture
   float *normal_x, *normal_y;             ///< unit, in the image
@@ -36,12 +36,12 @@ struct ProjectionJob {
 };
 
 /// Writes the points that are seen, in the samples' order, and returns their number.
-std::size_t project_contour(const ProjectionJob& job, const ContourPoints& points);
+std::size_t project_contour(const ProjectionJob& job, const ProjectedContour& points);
 
 /// One Gauss-Newton step: along its normal each point is to go where the best of its candidates is
 /// from where the motion so far has brought it.
 struct StepJob {
-  ContourPoints points;
+  ProjectedContour points;
   LineCandidates candidates;  ///< offsets without the shift of the samples
   std::size_t count;
   std::array<float, 3> center_mm;  ///< of the object, camera frame: twists turn about it

@@ -61,7 +61,7 @@ std::size_t ContourMatch::project(const Pose& camera_from_object, const ModelVie
 
 void ContourMatch::reserve(std::size_t most_points) {
   constexpr std::size_t kRows =
-      (sizeof(ContourPoints) + sizeof(LineCandidates)) / sizeof(float*) + 1;
+      (sizeof(ProjectedContour) + sizeof(LineCandidates)) / sizeof(float*) + 1;
   const std::size_t length = most_points + LineJob::kPadding;
   if (capacity_ < kRows * length) {
     capacity_ = kRows * length;

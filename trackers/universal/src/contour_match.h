@@ -54,7 +54,7 @@ class ContourMatch {
 
   std::size_t size() const { return count_; }
   /// The points that project() took, in the picture.
-  const ContourPoints& points() const { return points_; }
+  const ProjectedContour& points() const { return points_; }
   std::size_t silhouettes() const;
 
   /// The points that were projected move by this while the shutter is open, about the object's
@@ -122,7 +122,7 @@ class ContourMatch {
   double feigned_share_ = 1;
   std::unique_ptr<float[]> rows_;  ///< of points_, moved_px_ and candidates_
   std::size_t capacity_ = 0;       ///< of rows_
-  ContourPoints points_{};
+  ProjectedContour points_{};
   float* moved_px_ = nullptr;  ///< across edges; an entry a point
   LineCandidates candidates_{};
   std::size_t count_ = 0;

@@ -12,6 +12,7 @@
 #include "exposure.h"
 #include "motion_model.h"
 #include "neighbourhood.h"
+#include "polisher.h"
 #include "pose_filter_tracker.h"
 #include "pose_search.h"
 #include "pose_uncertainty.h"
@@ -29,17 +30,7 @@ constexpr double kPoorer = 0.1;  // in evidence, than usual: that is searched on
 // What a second attempt found, by colours, must be supported better.
 constexpr double kSecondAttempt = 1.06;
 constexpr double kFitRise = 0.3, kFitFall = 0.03;  // of the newest frame in the usual fit
-constexpr double kNeighbourReach_px = 3.0;
-// Of the weakest motion that edges leave open: more, and the exact contour looks along it in every
-// frame, so many steps far.
-constexpr double kHardlySeen = 0.3;
-constexpr std::array kBlindSteps = {1.0, 2.0};
-// Of the exact contour, by which rivals are judged; where edges hardly tell them apart, all of it.
-constexpr std::size_t kJudgedPoints = 160;
-// By how much a neighbour must be likelier, by views and by the exact contour: else noise decides.
-constexpr double kNeighbourGain = 0.006, kExactGain = 0.01;
-// In evidence, by how much polishing may make a pose less likely: else it stays as it was.
-constexpr double kSpoiled = 0.1;
+constexpr double kNeighbourGain = 0.006;  // by which one must be likelier: else noise decides
 // By how much wider an object is searched for with each frame without it, and with how many.
 constexpr double kGoneAway = 0.5, kLongestLost = 6;
 constexpr std::uint32_t kPasses = 3;  // of the search, each twice as wide as the one before
@@ -77,6 +68,7 @@ class DefaultTracker final : public PoseFilterTracker {
                 setup.mesh->radius_mm()),
         neighbourhood_(setup.mesh->center_mm().cast<double>(), setup.mesh->radius_mm(),
                        setup.camera.fx_px),
+        polisher_(refiner_, search_, neighbourhood_, workers_, setup.symmetry.axis.isZero()),
         motion_(options.sigma_mm, options.sigma_deg * kDegree) {
     filter_.set_region_cue(region_);
     if (drawing.mesh->triangles().size() < kLargeModel) {
@@ -162,7 +154,10 @@ class DefaultTracker final : public PoseFilterTracker {
       usual_support_ += (best.support > usual_support_ ? kSupportRise : kSupportFall) *
                         (best.support - usual_support_);
     }
-    if (exact_) best = polished(best, appearance);
+    if (exact_) {
+      const Twist blur = blur_of(best.camera_from_object);
+      best = polisher_.polish(best, {*exact_, expected_, guess, blur, appearance});
+    }
     result.camera_from_object = best.camera_from_object;
     result.camera_from_object.rotation =
         symmetry_.fold(best.camera_from_object.rotation, last.rotation);
@@ -240,7 +235,7 @@ class DefaultTracker final : public PoseFilterTracker {
       } else if (i == 1) {
         best = refiner_.examine(refined.camera_from_object, appearance, Refiner::Care::quick);
       } else {
-        others[i - 2] = refiner_.refine(starts[i - 2], starts[i - 2], kNeighbourReach_px,
+        others[i - 2] = refiner_.refine(starts[i - 2], starts[i - 2], Neighbourhood::kReach_px,
                                         appearance, Refiner::Care::quick);
       }
     });
@@ -257,91 +252,9 @@ class DefaultTracker final : public PoseFilterTracker {
     }
     if (!better) return std::nullopt;
     best = refiner_.refine(better->camera_from_object, better->camera_from_object,
-                           kNeighbourReach_px, appearance);
+                           Neighbourhood::kReach_px, appearance);
     if (likely(best) <= likely(refined) + kNeighbourGain) return std::nullopt;
     return best;
-  }
-
-  /// A refined pose on the exact contour, which was drawn there. Views do not tell all false
-  /// bottoms from the true one: of its neighbours, and the motion model's guess, one that the exact
-  /// contour likes better takes its place.
-  Refiner::Result polished(const Refiner::Result& refined, const Appearance& appearance) {
-    ExactContour& exact = *exact_;
-    const Twist blur = blur_of(refined.camera_from_object);
-    const auto polish = [&](const Refiner::Result& start) {
-      return refiner_.polish(start, exact.contour(), exact.feigned_share(), blur, appearance);
-    };
-    // The little that shows a mug's turn while its handle is hidden adds up over frames. The turn
-    // of a body of revolution does not matter.
-    const bool blind =
-        symmetry_.axis.isZero() && neighbourhood_.unseen_share(refined) > kHardlySeen;
-    const std::vector<Pose> starts = rival_starts(refined, blind);
-    const auto examine = [&](const Pose& pose) {
-      return refiner_.examine_in(exact.contour(), pose, appearance,
-                                 blind ? Refiner::kMostPolished : kJudgedPoints);
-    };
-    std::vector<Pose> poses(1 + starts.size());
-    Refiner::Result here;
-    workers_.each(poses.size(), 1, [&](std::size_t i) {
-      if (i == 0) {
-        here = polish(refined);
-        poses[0] = here.camera_from_object;
-      } else {
-        poses[i] =
-            refiner_.refine_in(exact.contour(), starts[i - 1], kNeighbourReach_px, appearance);
-      }
-    });
-    poses.erase(std::remove_if(
-                    poses.begin() + 1, poses.end(),
-                    [&](const Pose& other) { return neighbourhood_.same_place(other, poses[0]); }),
-                poses.end());
-    poses.push_back(refined.camera_from_object);
-    std::vector<Refiner::Result> examined(poses.size());
-    workers_.each(poses.size(), 1, [&](std::size_t i) { examined[i] = examine(poses[i]); });
-    const Refiner::Result unpolished = examined.back();
-    examined.pop_back();
-    const auto rival = std::max_element(
-        examined.begin(), examined.end(),
-        [&](const auto& a, const auto& b) { return likelihood(a) < likelihood(b); });
-    Refiner::Result best = here;
-    double most = likelihood(examined[0]);
-    bool elsewhere = false;
-    if (rival != examined.begin()) {
-      const Refiner::Result there = polish(*rival);
-      const double likely = likelihood(examine(there.camera_from_object));
-      if (likely > most + kExactGain) {
-        best = there;
-        most = likely;
-        elsewhere = true;
-      }
-    }
-    const Refiner::Result& rough =
-        likelihood(*rival) > likelihood(unpolished) ? *rival : unpolished;
-    if (likelihood(rough) > most + kSpoiled) {
-      best.camera_from_object = rough.camera_from_object;
-      elsewhere = true;
-    }
-    if (elsewhere) {
-      best.support = refiner_.examine(best.camera_from_object, appearance).support;
-    }
-    return best;
-  }
-
-  /// Where rivals of a refined pose are looked for: at the motion model's guess and on both sides
-  /// along each motion; `blind`: farther along the weakest one.
-  std::vector<Pose> rival_starts(const Refiner::Result& refined, bool blind) const {
-    std::vector<Pose> starts{filter_.to_object(expected_.camera_from_center)};
-    const auto look_along = [&](std::uint32_t motion, double steps) {
-      for (const Pose& start : neighbourhood_.beside(refined, motion, steps))
-        starts.push_back(start);
-    };
-    if (blind) {
-      for (const double steps : kBlindSteps) look_along(0, steps);
-    }
-    for (std::uint32_t motion = blind ? 1 : 0; motion < Neighbourhood::kMotions; ++motion) {
-      look_along(motion, 1.0);
-    }
-    return starts;
   }
 
   /// What the image says of the frame's pose, `found` (camera_from_center), and what it teaches for
@@ -441,6 +354,7 @@ class DefaultTracker final : public PoseFilterTracker {
   RegionCue region_;
   PoseSearch search_;
   Neighbourhood neighbourhood_;
+  Polisher polisher_;
   std::unique_ptr<ExactContour> exact_;  ///< null for very large models
   MotionModel motion_;
   PoseUncertainty uncertainty_;

@@ -16,6 +16,7 @@ namespace anneal6d {
 class Neighbourhood {
  public:
   static constexpr std::uint32_t kMotions = 4;
+  static constexpr double kReach_px = 3.0;  ///< of refinement that starts there
 
   /// The object's centre, object frame, and its radius about it.
   Neighbourhood(const Eigen::Vector3d& center_mm, double radius_mm, double focal_px)

@@ -204,7 +204,7 @@ Refiner::Colours Refiner::colours(const Pose& camera_from_object,
   if (smooth_.empty()) return colours;
   ContourMatch contour = match();
   contour.project(camera_from_object, views_.seen_from(camera_from_object), kAllPoints);
-  const ContourPoints& points = contour.points();
+  const ProjectedContour& points = contour.points();
   const auto collect = [&](std::size_t i, int from, int to, std::vector<std::uint16_t>& bins) {
     for (int along = from; along <= to; ++along) {
       const auto distance = static_cast<float>(along);
