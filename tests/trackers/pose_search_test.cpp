@@ -16,13 +16,6 @@ namespace {
 
 using test::beside;
 
-class NoScorer final : public PoseScorer {
- public:
-  void set_edges(const EdgeImage& /*edges*/) override {}
-  void score(std::span<const Pose> /*camera_from_object*/,
-             std::span<EdgeMatch> /*matches*/) override {}
-};
-
 /// A box before a fence of slats, a board in front of a third of it.
 class HoppingOnABoxAmongClutter : public testing::Test {
  protected:
@@ -63,7 +56,7 @@ class HoppingOnABoxAmongClutter : public testing::Test {
   const ViewModel views_ = test::views_near(model_, truth_);
   const cv::Mat image_ = picture(model_, camera_, truth_);
   const Appearance appearance_{1};
-  NoScorer scorer_;
+  test::NoScorer scorer_;
   Refiner refiner_{views_, camera_, test::workers()};
   PoseFilter filter_{scorer_, {}, model_.mesh->center_mm().cast<double>(), test::workers()};
   PoseSearch search_{filter_, refiner_, test::workers(), {1, 1}, model_.mesh->radius_mm()};
