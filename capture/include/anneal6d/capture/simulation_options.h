@@ -20,7 +20,7 @@ enum class SimulatedMotion {
 enum class SimulatedLight {
   fixed,
   moving,    ///< the lamp circles the viewing axis, once in 120 frames
-  changing,  ///< the brightness of the whole picture swings by a third, once in 60 frames
+  changing,  ///< brightness swings by a third, once in 60 frames, but for the forearm
 };
 
 /// What a simulation shows (thesis simulation mode). In brackets: the setting that `from` reads.
