@@ -190,29 +190,45 @@ class DefaultTracker final : public PoseFilterTracker {
     return confirms(confirmation_of(result.support, refiner_.chance(result.camera_from_object)));
   }
 
-  /// Particles search, wider and wider, for a pose that the image confirms better than the refined
-  /// one. Where even they find none, less is usual from now on: something hides the object.
+  /// Looks for a pose that the image confirms better than the refined one. Where even so there is
+  /// none, less is usual from now on: something hides the object.
   Refiner::Result search_around(const Refiner::Result& refined, const Appearance& appearance) {
-    detect_edges_around(image_, expected_.camera_from_center, searched_mm());
-    region_.set_image(refiner_.picture(), appearance);
-    Refiner::Result best = refined;
-    Expectation wider = expected_;
-    for (std::uint32_t pass = 0; pass < kPasses; ++pass) {
-      if (pass > 0 && suffices(best)) break;
-      const double weight = appearance.learned() ? kRegionWeight : 0.0;
-      RandomKey random = key(0);
-      random.frame = frame_number_ * kPasses + pass;
-      const Refiner::Result found =
-          search_.run(wider, {appearance, weight}, random, camera().fx_px);
-      if (likelihood(found) > likelihood(best)) best = found;
-      best = search_.hop_from(best, expected_, appearance, random, camera().fx_px);
-      wider.sigma *= 2.0;
-    }
-    if (bad_frames() == 0 && likelihood(best) < likelihood(refined) + kGain) {
+    const bool lost_sight = bad_frames() > 0;
+    // Support as usual, only edges not quite where they should be or a strange motion: the truth is
+    // a basin or two away, where hops find it.
+    const bool near_by = !lost_sight && supported_as_usual(refined);
+    const Refiner::Result best =
+        near_by ? search_.hop_from(refined, expected_, appearance, search_key(0), camera().fx_px)
+                : search_wider_and_wider(refined, appearance);
+    if (!lost_sight && likelihood(best) < likelihood(refined) + kGain) {
       usual_support_ = std::min(usual_support_, best.support);
       usual_fit_ = std::min(usual_fit_, best.fit);
     }
     return best;
+  }
+
+  Refiner::Result search_wider_and_wider(const Refiner::Result& refined,
+                                         const Appearance& appearance) {
+    detect_edges_around(image_, expected_.camera_from_center, searched_mm());
+    region_.set_image(refiner_.picture(), appearance);
+    const double weight = appearance.learned() ? kRegionWeight : 0.0;
+    Refiner::Result best = refined;
+    Expectation wider = expected_;
+    for (std::uint32_t pass = 0; pass < kPasses; ++pass) {
+      if (pass > 0 && suffices(best)) break;
+      const Refiner::Result found =
+          search_.run(wider, {appearance, weight}, search_key(pass), camera().fx_px);
+      if (likelihood(found) > likelihood(best)) best = found;
+      best = search_.hop_from(best, expected_, appearance, search_key(pass), camera().fx_px);
+      wider.sigma *= 2.0;
+    }
+    return best;
+  }
+
+  RandomKey search_key(std::uint32_t pass) const {
+    RandomKey random = key(0);
+    random.frame = frame_number_ * kPasses + pass;
+    return random;
   }
 
   /// A better pose near it, if there is one: edges side by side, such as the two of a cup's rim,
