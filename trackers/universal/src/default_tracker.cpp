@@ -33,7 +33,7 @@ constexpr double kFitRise = 0.3, kFitFall = 0.03;  // of the newest frame in the
 constexpr double kNeighbourGain = 0.006;  // by which one must be likelier: else noise decides
 // By how much wider an object is searched for with each frame without it, and with how many.
 constexpr double kGoneAway = 0.5, kLongestLost = 6;
-constexpr std::uint32_t kPasses = 3;  // of the search, each twice as wide as the one before
+constexpr std::uint32_t kPasses = 3;  // of a search; of particles, each twice as wide as the last
 constexpr double kWider = 0.9;        // of what is sure: less lets the search go on, wider
 constexpr double kGain = 0.03;        // in evidence, without which a search was in vain
 constexpr double kRegionWeight = 20;  // of the colours beside the edges, as the rating's c
@@ -194,15 +194,23 @@ class DefaultTracker final : public PoseFilterTracker {
   /// none, less is usual from now on: something hides the object.
   Refiner::Result search_around(const Refiner::Result& refined, const Appearance& appearance) {
     const bool lost_sight = bad_frames() > 0;
-    // Support as usual, only edges not quite where they should be or a strange motion: the truth is
-    // a basin or two away, where hops find it.
     const bool near_by = !lost_sight && supported_as_usual(refined);
     const Refiner::Result best =
-        near_by ? search_.hop_from(refined, expected_, appearance, search_key(0), camera().fx_px)
-                : search_wider_and_wider(refined, appearance);
+        near_by ? hop_on(refined, appearance) : search_wider_and_wider(refined, appearance);
     if (!lost_sight && likelihood(best) < likelihood(refined) + kGain) {
       usual_support_ = std::min(usual_support_, best.support);
       usual_fit_ = std::min(usual_fit_, best.fit);
+    }
+    return best;
+  }
+
+  /// Support is as usual, only edges are not quite where they should be, or the motion is strange:
+  /// the truth is a basin or two away. Particles find no more there than hops, and take longer.
+  Refiner::Result hop_on(const Refiner::Result& refined, const Appearance& appearance) {
+    Refiner::Result best = refined;
+    for (std::uint32_t pass = 0; pass < kPasses; ++pass) {
+      best = search_.hop_from(best, expected_, appearance, search_key(pass), camera().fx_px);
+      if (confirmed_as_usual(best)) break;
     }
     return best;
   }
