@@ -40,11 +40,11 @@ class PendingFolder {
     if (!fs::exists(folder_, error)) return;
     // Found out before the work: a mount point, for one, does not give up its name.
     const fs::path aside = beside(folder_, "old");
-    std::error_code error_of_removal;
     fs::rename(folder_, aside, error);
     if (!error) fs::rename(aside, folder_, error);
     if (error) {
-      fs::remove_all(pending_, error_of_removal);
+      std::error_code ignored;
+      fs::remove_all(pending_, ignored);
       throw FileError(folder_, "",
                       "can't be replaced: " + error.message() + "; name a folder inside it");
     }
@@ -103,12 +103,7 @@ bool is_sequence_file(const std::string& name) {
 
 // "out/" and "." have no name that a temporary folder beside them could be derived from.
 fs::path with_name(const fs::path& folder) {
-  // A link stays, and what it leads to is written.
-  std::error_code error;
-  fs::path path = fs::absolute(folder, error);
-  if (!error) path = fs::weakly_canonical(path, error);
-  if (error) throw FileError(folder, "", "can't be reached: " + error.message());
-  if (!path.has_filename()) path = path.parent_path();
+  const fs::path path = resolved(folder);  // a link stays, and what it leads to is written
   if (!path.has_filename()) throw FileError(folder, "", "is no folder to write a sequence to");
   return path;
 }

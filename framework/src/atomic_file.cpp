@@ -12,6 +12,14 @@ namespace anneal6d {
 
 namespace fs = std::filesystem;
 
+fs::path resolved(const fs::path& path) {
+  std::error_code failure;
+  fs::path result = fs::absolute(path, failure);
+  if (!failure) result = fs::weakly_canonical(result, failure);
+  if (failure) throw FileError(path, "", "cannot be reached: " + failure.message());
+  return result.has_filename() ? result : result.parent_path();
+}
+
 fs::path temporary_beside(const fs::path& path) {
   fs::path temporary = path;
   temporary += "." + std::to_string(std::random_device{}()) + ".part";

@@ -6,6 +6,7 @@
 #include <string>
 #include <vector>
 
+#include "anneal6d/framework/atomic_file.h"
 #include "anneal6d/framework/error.h"
 
 namespace anneal6d {
@@ -23,11 +24,8 @@ void move_file(const fs::path& from, const fs::path& to) {
 
 }  // namespace
 
-StagedFolder::StagedFolder(const fs::path& target) {
+StagedFolder::StagedFolder(const fs::path& target) : target_(resolved(target)) {
   std::error_code error;
-  target_ = fs::weakly_canonical(fs::absolute(target), error);
-  if (error) throw FileError(target, "", "cannot be reached: " + error.message());
-  if (!target_.has_filename()) target_ = target_.parent_path();  // "results/"
   const bool exists = fs::exists(target_, error);
   if (exists && !fs::is_directory(target_, error)) {
     throw FileError(target, "", "is a file; a folder is needed");

@@ -89,6 +89,12 @@ TEST_F(Usage, OptionsComeFromAConfigurationFileToo) {
   EXPECT_EQ(lines_of(scratch_ / "from_config.csv").size(), 3U);  // header and two: --frames wins
 }
 
+TEST_F(Usage, SettingsThatOnlyTheThesisModeReadsAreAnsweredWithAWarning) {
+  const std::string base = "track " + sequence_argument_ + fast_ + " --frames 1 --drift on";
+  EXPECT_NE(tool(base).err.find("--drift does nothing"), std::string::npos);
+  EXPECT_EQ(tool(base + " --mode thesis").err.find("--drift"), std::string::npos);
+}
+
 TEST_F(Usage, BadConfigurationFilesAreNamedWithTheirKey) {
   const auto refused = [&](const std::string& content, const std::string& word) {
     write("run.toml", content);

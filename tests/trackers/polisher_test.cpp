@@ -4,7 +4,7 @@
 
 #include <gtest/gtest.h>
 
-#include "synthetic.h"
+#include "box_scene.h"
 
 namespace anneal6d {
 namespace {
@@ -13,19 +13,14 @@ using test::beside;
 using test::center_distance_mm;
 
 /// A box before a plain background, which polishing alone finds from a pixel or so beside it.
-class PolishingABox : public testing::Test {
+class PolishingABox : public test::BoxScene {
  protected:
-  PolishingABox() {
-    refiner_.set_image(image_, {0, 0, image_.cols, image_.rows});
-    expected_.camera_from_center = filter_.to_center(truth_);
-    expected_.sigma << Eigen::Vector3d::Constant(3 * test::kDegree), 5, 5, 5;
-  }
+  PolishingABox() : BoxScene(3, 5) { show(test::photograph(model_, camera_, truth_)); }
 
-  static ScorerSetup setup(const std::shared_ptr<const TriangleMesh>& mesh,
-                           const CameraModel& camera) {
+  ScorerSetup setup() const {
     ScorerSetup setup;
-    setup.mesh = mesh;
-    setup.camera = camera;
+    setup.mesh = model_.mesh;
+    setup.camera = camera_;
     setup.edges.threshold = 40;
     return setup;
   }
@@ -33,7 +28,7 @@ class PolishingABox : public testing::Test {
   /// So many pixels to the right of the truth.
   Pose aside(double shift_px) const {
     const double mm = shift_px * truth_.translation_mm.z() / camera_.fx_px;
-    return beside(*model_.mesh, truth_, {0, 0, 0}, {mm, 0, 0});
+    return beside(mesh(), truth_, {0, 0, 0}, {mm, 0, 0});
   }
 
   /// How far from the truth polishing ends, millimetres.
@@ -43,24 +38,13 @@ class PolishingABox : public testing::Test {
     exact_.draw(start, test::workers());
     const Refiner::Result polished =
         polisher_.polish(refined, {exact_, expected_, guess, Twist::Zero(), appearance_});
-    return center_distance_mm(*model_.mesh, polished.camera_from_object, truth_);
+    return center_distance_mm(mesh(), polished.camera_from_object, truth_);
   }
 
-  const CameraModel camera_ = test::small_camera().scaled(2);
-  const Pose truth_ = test::corner_view();
-  const RasterModel model_{test::make_box(90, 60, 75), false};
-  const ViewModel views_ = test::views_near(model_, truth_);
-  const cv::Mat image_ = test::photograph(model_, camera_, truth_);
-  const Appearance appearance_{1};
-  test::NoScorer scorer_;
-  Refiner refiner_{views_, camera_, test::workers()};
-  PoseFilter filter_{scorer_, {}, model_.mesh->center_mm().cast<double>(), test::workers()};
-  PoseSearch search_{filter_, refiner_, test::workers(), {1, 1}, model_.mesh->radius_mm()};
-  Neighbourhood neighbourhood_{model_.mesh->center_mm().cast<double>(), model_.mesh->radius_mm(),
+  Neighbourhood neighbourhood_{mesh().center_mm().cast<double>(), mesh().radius_mm(),
                                camera_.fx_px};
-  ExactContour exact_{setup(model_.mesh, camera_)};
+  ExactContour exact_{setup()};
   Polisher polisher_{refiner_, search_, neighbourhood_, test::workers(), true};
-  Expectation expected_;
 };
 
 TEST_F(PolishingABox, FindsItsPlaceNearBy) { EXPECT_LT(polished_mm(aside(0.5), aside(0.5)), 0.05); }

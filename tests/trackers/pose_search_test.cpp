@@ -9,7 +9,7 @@
 #include <opencv2/imgproc.hpp>
 #include <vector>
 
-#include "synthetic.h"
+#include "box_scene.h"
 
 namespace anneal6d {
 namespace {
@@ -17,13 +17,9 @@ namespace {
 using test::beside;
 
 /// A box before a fence of slats, a board in front of a third of it.
-class HoppingOnABoxAmongClutter : public testing::Test {
+class HoppingOnABoxAmongClutter : public test::BoxScene {
  protected:
-  HoppingOnABoxAmongClutter() {
-    refiner_.set_image(image_, {0, 0, image_.cols, image_.rows});
-    expected_.camera_from_center = filter_.to_center(truth_);
-    expected_.sigma << Eigen::Vector3d::Constant(6 * test::kDegree), 10, 10, 10;
-  }
+  HoppingOnABoxAmongClutter() : BoxScene(6, 10) { show(image_); }
 
   static cv::Mat picture(const RasterModel& model, const CameraModel& camera, const Pose& pose) {
     cv::Mat image = test::photograph(model, camera, pose, 120, 1.0);
@@ -44,23 +40,12 @@ class HoppingOnABoxAmongClutter : public testing::Test {
     const Twist noise = random_twist({.seed = 5, .particle = i});
     return beside(mesh(), truth_, 4.0 * noise.head<3>(), 4.0 * noise.tail<3>());
   }
-  const TriangleMesh& mesh() const { return *model_.mesh; }
 
   Refiner::Result hop(const Refiner::Result& from, std::uint32_t i = 0) {
     return search_.hop_from(from, expected_, appearance_, {.seed = 3, .frame = i}, camera_.fx_px);
   }
 
-  const CameraModel camera_ = test::small_camera().scaled(2);
-  const Pose truth_ = test::corner_view();
-  const RasterModel model_{test::make_box(90, 60, 75), false};
-  const ViewModel views_ = test::views_near(model_, truth_);
   const cv::Mat image_ = picture(model_, camera_, truth_);
-  const Appearance appearance_{1};
-  test::NoScorer scorer_;
-  Refiner refiner_{views_, camera_, test::workers()};
-  PoseFilter filter_{scorer_, {}, model_.mesh->center_mm().cast<double>(), test::workers()};
-  PoseSearch search_{filter_, refiner_, test::workers(), {1, 1}, model_.mesh->radius_mm()};
-  Expectation expected_;
 };
 
 TEST_F(HoppingOnABoxAmongClutter, LeadsOutOfFalseBasins) {
@@ -102,7 +87,7 @@ TEST_F(HoppingOnABoxAmongClutter, IsTheSameOnAnyNumberOfThreads) {
 /// The same box and fence, the box of a colour that the fence has not.
 class SearchingForAColouredBox : public HoppingOnABoxAmongClutter {
  protected:
-  SearchingForAColouredBox() { refiner_.set_image(coloured_, {0, 0, image_.cols, image_.rows}); }
+  SearchingForAColouredBox() { show(coloured_); }
 
   cv::Mat coloured() const {
     const cv::Mat object = test::draw(model_, camera_, truth_).depth_mm > 0;

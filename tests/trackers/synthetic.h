@@ -8,11 +8,9 @@
 #include <numbers>
 #include <opencv2/core.hpp>
 #include <opencv2/imgproc.hpp>
-#include <span>
 #include <utility>
 #include <vector>
 
-#include "anneal6d/framework/pose_scorer.h"
 #include "anneal6d/framework/srgb.h"
 #include "rasterizer.h"
 #include "shapes.h"
@@ -28,14 +26,6 @@ inline Workers& workers() {
   static Workers alone(1);
   return alone;
 }
-
-/// For particle filters whose particles are not rated.
-class NoScorer final : public PoseScorer {
- public:
-  void set_edges(const EdgeImage& /*edges*/) override {}
-  void score(std::span<const Pose> /*camera_from_object*/,
-             std::span<EdgeMatch> /*matches*/) override {}
-};
 
 inline CameraModel small_camera() {
   return {.width_px = 320,

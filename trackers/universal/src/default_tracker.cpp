@@ -1,7 +1,6 @@
 // SPDX-License-Identifier: BSD-3-Clause
 // Copyright (c) 2026 The Anneal6D authors
 #include <algorithm>
-#include <array>
 #include <cmath>
 #include <functional>
 #include <optional>
@@ -215,6 +214,7 @@ class DefaultTracker final : public PoseFilterTracker {
     return best;
   }
 
+  /// Support falls short, or the object was lost sight of: it may be anywhere around.
   Refiner::Result search_wider_and_wider(const Refiner::Result& refined,
                                          const Appearance& appearance) {
     detect_edges_around(image_, expected_.camera_from_center, searched_mm());

@@ -8,6 +8,10 @@
 
 namespace anneal6d {
 
+/// A path that need not be there, absolute and with links followed; "out/" is "out". Throws
+/// FileError.
+std::filesystem::path resolved(const std::filesystem::path& path);
+
 /// Another name in the same folder for what becomes `path` when it is whole; one of its own for
 /// each caller, since several may write the same file.
 std::filesystem::path temporary_beside(const std::filesystem::path& path);
